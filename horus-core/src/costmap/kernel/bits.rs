@@ -1,0 +1,193 @@
+//! The distance field 32 cells at a time, in words of bits.
+//!
+//! For every row in reach, and dx = 0, 1, ..., one word holds the cells with a source within dx
+//! columns in that row. A cell's squared distance is then the first pair (dx, dy), in ascending
+//! order of dx^2 + dy^2, for which its bit is set dy rows above or below. So a pair costs two
+//! loads for 32 cells, and the search ends when all cells that have a source in reach are found.
+//! On a Cortex-M4 this takes a third of the instructions of comparing bytes in u32 lanes.
+
+use super::super::field::{FieldCell, MIDDLE_LIMIT, NEAR_LIMIT};
+use super::{Disc, Kernel, low_bits};
+use crate::storage::{Bitmap, bits_at};
+
+/// Scratch words for radii up to 15 cells: 32 rows of 16 words.
+pub(crate) const NEAR_WORDS: usize = 32 * 16;
+/// Scratch words for radii up to 31 cells: 64 rows of 32 words.
+pub(crate) const MIDDLE_WORDS: usize = 64 * 32;
+
+const NEAR_PAIRS: usize = count_pairs(NEAR_LIMIT);
+const MIDDLE_PAIRS: usize = count_pairs(MIDDLE_LIMIT);
+static NEAR: [u32; NEAR_PAIRS] = pairs(16, NEAR_WORDS as u32);
+static MIDDLE: [u32; MIDDLE_PAIRS] = pairs(32, MIDDLE_WORDS as u32);
+
+pub(crate) type Near<'a> = Bits<'a, 16, NEAR_WORDS>;
+pub(crate) type Middle<'a> = Bits<'a, 32, MIDDLE_WORDS>;
+
+/// The number of pairs dx, dy >= 0 with dx^2 + dy^2 <= limit.
+const fn count_pairs(limit: u32) -> usize {
+    let (mut n, mut dx) = (0, 0);
+    while dx * dx <= limit {
+        n += (limit - dx * dx).isqrt() as usize + 1;
+        dx += 1;
+    }
+    n
+}
+
+/// All such pairs in ascending order of their squared distance. The low half of each is the
+/// offset, in the ring, of the word for (dx, +dy) from that of the present row, the high half
+/// that for (dx, -dy).
+const fn pairs<const N: usize>(stride: u32, words: u32) -> [u32; N] {
+    let mut pairs = [0; N];
+    let (mut n, mut squared) = (0, 0);
+    while n < N {
+        let mut dx = 0;
+        while dx * dx <= squared {
+            let rest: u32 = squared - dx * dx;
+            let dy = rest.isqrt();
+            if dy * dy == rest {
+                pairs[n] = (dy * stride + dx) | ((words + dx - dy * stride) % words) << 16;
+                n += 1;
+            }
+            dx += 1;
+        }
+        squared += 1;
+    }
+    pairs
+}
+
+/// The kernel, with rows of `STRIDE` words in a ring of `WORDS` words (both powers of two).
+pub(crate) struct Bits<'a, const STRIDE: usize, const WORDS: usize> {
+    ring: &'a mut [u32; WORDS],
+    disc: Disc,
+    /// Pairs within reach.
+    pairs: &'static [u32],
+    x0: i32,
+    /// The next row to enter the ring.
+    next: i32,
+    /// The latest row in the ring that has a source in reach of the strip.
+    occupied: i32,
+}
+
+impl<'a, const STRIDE: usize, const WORDS: usize> Bits<'a, STRIDE, WORDS> {
+    pub(crate) fn new(disc: &Disc, ring: &'a mut [u32; WORDS]) -> Self {
+        let all: &'static [u32] = if STRIDE == 16 { &NEAR } else { &MIDDLE };
+        let pairs = all.get(..count_pairs(disc.reach)).unwrap_or(all);
+        Self {
+            ring,
+            disc: *disc,
+            pairs,
+            x0: 0,
+            next: i32::MIN,
+            occupied: i32::MIN,
+        }
+    }
+
+    fn radius(&self) -> i32 {
+        self.disc.radius as i32
+    }
+
+    /// First word of a row in the ring.
+    fn slot(gy: i32) -> usize {
+        gy as usize % (WORDS / STRIDE) * STRIDE
+    }
+
+    /// Puts a row into the ring: word dx has the cells with a source within dx columns.
+    #[inline]
+    fn enter(&mut self, sources: Bitmap<'_>, gy: i32) {
+        let row = sources.row(gy);
+        let radius = self.disc.radius;
+        let (left, here, right) = if row.is_empty() {
+            (0, 0, 0)
+        } else {
+            (
+                bits_at(row, self.x0 - 32),
+                bits_at(row, self.x0),
+                bits_at(row, self.x0 + 32),
+            )
+        };
+        let start = Self::slot(gy);
+        let Some(words) = self.ring.get_mut(start..start + STRIDE) else {
+            return;
+        };
+        // Only bits within the radius count.
+        let in_reach = here != 0 || (left >> 1 >> (31 - radius)) != 0 || right & low_bits(radius) != 0;
+        if !in_reach {
+            for word in words.iter_mut().take(radius as usize + 1) {
+                *word = 0;
+            }
+            return;
+        }
+        self.occupied = gy;
+        let mut within = here;
+        for (dx, word) in (0..=radius).zip(words) {
+            if dx > 0 {
+                within |= here << dx | left >> (32 - dx) | here >> dx | right << (32 - dx);
+            }
+            *word = within;
+        }
+    }
+
+    #[inline]
+    fn word(&self, base: u32, offset: u32) -> u32 {
+        // A power of two: the mask wraps the ring and is the bounds check.
+        self.ring[(base.wrapping_add(offset)) as usize % WORDS]
+    }
+
+    /// Cells of the row at `base` that have a source in reach.
+    #[inline]
+    fn covered(&self, base: u32) -> u32 {
+        let mut covered = 0;
+        for (dy, half) in self.disc.halves().enumerate() {
+            let up = dy as u32 * STRIDE as u32;
+            covered |= self.word(base, half + up) | self.word(base, half.wrapping_sub(up));
+        }
+        covered
+    }
+}
+
+impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'_, STRIDE, WORDS> {
+    const LANES: u32 = 32;
+
+    fn start(&mut self, x0: i32) {
+        self.x0 = x0;
+        self.next = i32::MIN;
+        self.occupied = i32::MIN;
+    }
+
+    fn row(&mut self, sources: Bitmap<'_>, gy: i32, mask: u32, row: &mut [F]) {
+        let (first, last) = (gy - self.radius(), gy + self.radius());
+        for entering in first.max(self.next)..=last {
+            self.enter(sources, entering);
+        }
+        self.next = last + 1;
+        let base = Self::slot(gy) as u32;
+        let mut rest = if self.occupied < first {
+            0
+        } else {
+            mask & self.covered(base)
+        };
+        write(row, mask & !rest, F::NONE);
+        for &pair in self.pairs {
+            if rest == 0 {
+                return;
+            }
+            let found = (self.word(base, pair & 0xffff) | self.word(base, pair >> 16)) & rest;
+            if found != 0 {
+                rest ^= found;
+                let (dx, dy) = ((pair & 0xffff) % STRIDE as u32, (pair & 0xffff) / STRIDE as u32);
+                write(row, found, F::new(dx * dx + dy * dy));
+            }
+        }
+    }
+}
+
+/// Writes `value` to the cells whose bits are set.
+#[inline]
+fn write<F: Copy>(row: &mut [F], mut cells: u32, value: F) {
+    while cells != 0 {
+        if let Some(cell) = row.get_mut(cells.trailing_zeros() as usize) {
+            *cell = value;
+        }
+        cells &= cells - 1;
+    }
+}

@@ -1,0 +1,464 @@
+//! The passes of an update: sources that appeared, strips along the edges, sources that vanished,
+//! kept cost bytes. Each returns false if the budget ended first, and goes on from there later.
+
+use super::CellValue;
+use super::budget::Budget;
+use super::changes::Next;
+use super::edges::Side;
+use super::field::FieldCell;
+use super::layer::Layer;
+use super::refresh::Refresh;
+use super::repair::Need;
+use super::steps::BLOCK;
+use crate::geometry::{Bounds, CellRect};
+
+/// What an update without a budget has spent on single sources, so that it can tell when
+/// recomputing everything is cheaper. The switch cannot change a result.
+#[derive(Debug)]
+pub(super) struct Work {
+    spent: u32,
+    full: u32,
+    per_source: u32,
+}
+
+impl Work {
+    /// A full recompute costs about as much as this many field writes per cell.
+    const FULL_WRITES_PER_CELL: u32 = 6;
+    /// A source that appears writes its disc once; one that vanishes costs this many times that.
+    const INSERT: u32 = 1;
+    const REMOVE: u32 = 4;
+
+    pub(super) fn new(cells: usize, disc_cells: u32, budget: &Budget) -> Self {
+        let full = if budget.is_limited() {
+            u32::MAX
+        } else {
+            (cells as u32).saturating_mul(Self::FULL_WRITES_PER_CELL)
+        };
+        Self {
+            spent: 0,
+            full,
+            per_source: disc_cells,
+        }
+    }
+
+    fn add(&mut self, weight: u32) {
+        self.spent = self.spent.saturating_add(self.per_source.saturating_mul(weight));
+    }
+
+    /// From now on only the source bits follow; everything is recomputed at the end.
+    fn is_flooded(&self) -> bool {
+        self.spent >= self.full
+    }
+}
+
+impl<F: FieldCell> Layer<'_, F> {
+    /// Applies the sources that appeared.
+    pub(super) fn insert<V: CellValue>(
+        &mut self,
+        values: &[V],
+        budget: &mut Budget,
+        work: &mut Work,
+        changed: &mut Bounds,
+    ) -> bool {
+        let steps = self.steps();
+        let kept = self.costs.is_some();
+        let mut cursor = self.cursors.insert;
+        let finished = loop {
+            let w = match self.changes.next_from(&mut cursor, || budget.take(1)) {
+                Next::Word(w) => w,
+                Next::End => break true,
+                Next::OutOfBudget => break false,
+            };
+            if !budget.take(steps.word) {
+                break false;
+            }
+            let (x0, gy) = self.changes.cell(w);
+            let mut bits = self.changes.word(w);
+            let mut settled = 0;
+            let mut out_of_budget = false;
+            while bits != 0 {
+                let bit = bits & bits.wrapping_neg();
+                bits ^= bit;
+                let gx = x0 + bit.trailing_zeros();
+                let Some((is, was)) = self.source_change(values, w, bit, gx, gy) else {
+                    continue;
+                };
+                if is && !was {
+                    if !budget.take(steps.insert) {
+                        out_of_budget = true;
+                        break;
+                    }
+                    if let Some(word) = self.sources.get_mut(w) {
+                        *word |= bit;
+                    }
+                    if !work.is_flooded() {
+                        self.stamp(gx, gy, values, changed);
+                    }
+                    work.add(Work::INSERT);
+                }
+                if is || !was {
+                    settled |= bit; // only a removal waits
+                    if !kept {
+                        changed.add(gx, gy);
+                    }
+                }
+            }
+            if !kept {
+                self.changes.unmark(w, settled);
+            }
+            if out_of_budget {
+                break false;
+            }
+            cursor = w + 1;
+        };
+        self.cursors.insert = cursor;
+        finished
+    }
+
+    /// Whether a changed cell is a source now, and whether the field reflects it as one.
+    #[inline]
+    fn source_change<V: CellValue>(
+        &self,
+        values: &[V],
+        w: usize,
+        bit: u32,
+        gx: u32,
+        gy: u32,
+    ) -> Option<(bool, bool)> {
+        let value = values.get(gy as usize * self.width as usize + gx as usize)?;
+        let was = self.sources.get(w)? & bit != 0;
+        Some((self.tables.is_source(value.byte()), was))
+    }
+
+    /// Lowers the field around a new source.
+    fn stamp<V: CellValue>(&mut self, gx: u32, gy: u32, values: &[V], changed: &mut Bounds) {
+        let disc = self.tables.disc;
+        let width = self.width as usize;
+        let mut refresh = Refresh {
+            values,
+            tables: self.tables,
+            costs: self.costs.as_deref_mut(),
+            changes: &self.changes,
+            changed,
+            width: self.width,
+        };
+        for (dy, half) in (0..).zip(disc.halves()) {
+            let x0 = gx.saturating_sub(half);
+            let x1 = (gx + half + 1).min(self.width);
+            let squares = F::squares_from(x0 as i32 - gx as i32);
+            let across = F::new(dy * dy);
+            let mut row_at = |y: u32| {
+                let start = y as usize * width;
+                let Some(row) = self.field.get_mut(start + x0 as usize..start + x1 as usize) else {
+                    return;
+                };
+                let mut at = 0;
+                for (fields, squares) in row.chunks_mut(32).zip(squares.chunks(32)) {
+                    let mut lowered = 0;
+                    for (lane, (field, square)) in fields.iter_mut().zip(squares).enumerate() {
+                        let new = square.saturating_add(across);
+                        if new < *field {
+                            *field = new;
+                            lowered |= 1 << lane;
+                        }
+                    }
+                    refresh.cells(fields, x0 + at, y, lowered);
+                    at += 32;
+                }
+            };
+            if let Some(y) = gy.checked_sub(dy).filter(|_| dy > 0) {
+                row_at(y);
+            }
+            if gy + dy < self.height {
+                row_at(gy + dy);
+            }
+        }
+    }
+
+    /// Recomputes the strips that window shifts left along the edges.
+    pub(super) fn repair_edges<V: CellValue>(
+        &mut self,
+        values: &[V],
+        budget: &mut Budget,
+        changed: &mut Bounds,
+    ) -> bool {
+        if self.edges.is_empty() {
+            return true;
+        }
+        let block = self.steps().block;
+        let mut first = 0;
+        for side in Side::ALL {
+            let Some(strip) = self.strip(side) else {
+                continue;
+            };
+            let need = Need::Edge(side, self.edges.edge(side));
+            let row_blocks = strip.height().div_ceil(BLOCK);
+            let end = first + row_blocks * strip.width().div_ceil(BLOCK);
+            while self.edges.done < end {
+                let at = self.edges.done - first;
+                let (column, row) = (at / row_blocks, at % row_blocks);
+                if !budget.take(block) {
+                    return false;
+                }
+                // Without a budget a column of blocks is one piece of work.
+                let rows = if budget.is_limited() { 1 } else { row_blocks - row };
+                let rect = CellRect {
+                    x0: strip.x0 + column * BLOCK,
+                    y0: strip.y0 + row * BLOCK,
+                    x1: strip.x1.min(strip.x0 + (column + 1) * BLOCK),
+                    y1: strip.y1.min(strip.y0 + (row + rows) * BLOCK),
+                };
+                self.repair(rect, need, values, changed);
+                self.edges.done += rows;
+            }
+            first = end;
+        }
+        self.edges.clear();
+        true
+    }
+
+    /// The cells of the strip along one edge.
+    fn strip(&self, side: Side) -> Option<CellRect> {
+        let (w, h) = (self.width, self.height);
+        let edge = self.edges.edge(side);
+        if edge.width == 0 {
+            return None;
+        }
+        let whole = CellRect {
+            x0: 0,
+            y0: 0,
+            x1: w,
+            y1: h,
+        };
+        Some(match side {
+            Side::Left => CellRect {
+                x1: edge.width.min(w),
+                ..whole
+            },
+            Side::Right => CellRect {
+                x0: w.saturating_sub(edge.width),
+                ..whole
+            },
+            Side::Bottom => CellRect {
+                y1: edge.width.min(h),
+                ..whole
+            },
+            Side::Top => CellRect {
+                y0: h.saturating_sub(edge.width),
+                ..whole
+            },
+        })
+    }
+
+    /// Blocks of edge strips that wait.
+    pub(super) fn blocks_left(&self) -> u32 {
+        let blocks = |side| {
+            self.strip(side)
+                .map_or(0, |s| s.height().div_ceil(BLOCK) * s.width().div_ceil(BLOCK))
+        };
+        let all: u32 = Side::ALL.into_iter().map(blocks).sum();
+        all.saturating_sub(self.edges.done)
+    }
+
+    /// Applies the sources that vanished: marks the cells whose nearest source they may have been,
+    /// then recomputes those. With a budget, one source after another.
+    pub(super) fn remove<V: CellValue>(
+        &mut self,
+        values: &[V],
+        budget: &mut Budget,
+        work: &mut Work,
+        changed: &mut Bounds,
+    ) -> bool {
+        let steps = self.steps();
+        let kept = self.costs.is_some();
+        let mut stale = Bounds::EMPTY;
+        let mut cursor = self.cursors.remove;
+        let finished = loop {
+            let w = match self.changes.next_from(&mut cursor, || budget.take(1)) {
+                Next::Word(w) => w,
+                Next::End => break true,
+                Next::OutOfBudget => break false,
+            };
+            if !budget.take(steps.word) {
+                break false;
+            }
+            let (x0, gy) = self.changes.cell(w);
+            let mut bits = self.changes.word(w) & self.sources.get(w).copied().unwrap_or(0);
+            let mut out_of_budget = false;
+            while bits != 0 {
+                let bit = bits & bits.wrapping_neg();
+                bits ^= bit;
+                let gx = x0 + bit.trailing_zeros();
+                let Some((false, true)) = self.source_change(values, w, bit, gx, gy) else {
+                    continue;
+                };
+                if !budget.take(steps.remove) {
+                    out_of_budget = true;
+                    break;
+                }
+                if let Some(word) = self.sources.get_mut(w) {
+                    *word &= !bit;
+                }
+                if !work.is_flooded() {
+                    self.mark_stale(gx, gy, &mut stale);
+                }
+                work.add(Work::REMOVE);
+                if !kept {
+                    self.changes.unmark(w, bit);
+                    changed.add(gx, gy);
+                }
+                if budget.is_limited() {
+                    self.repair_stale(&mut stale, values, changed);
+                }
+            }
+            if out_of_budget {
+                break false;
+            }
+            cursor = w + 1;
+        };
+        if work.is_flooded() {
+            self.repair_all(values, changed);
+        } else {
+            self.repair_stale(&mut stale, values, changed);
+        }
+        self.cursors.remove = cursor;
+        finished
+    }
+
+    /// Marks the cells whose nearest source may have been this one.
+    fn mark_stale(&mut self, gx: u32, gy: u32, stale: &mut Bounds) {
+        let width = self.width as usize;
+        for (dy, half) in (0..).zip(self.tables.disc.halves()) {
+            let x0 = gx.saturating_sub(half);
+            let x1 = (gx + half + 1).min(self.width);
+            let squares = F::squares_from(x0 as i32 - gx as i32);
+            let across = F::new(dy * dy);
+            let mut row_at = |y: u32| {
+                let start = y as usize * width;
+                let Some(row) = self.field.get_mut(start + x0 as usize..start + x1 as usize) else {
+                    return;
+                };
+                let (mut first, mut end) = (u32::MAX, 0);
+                for (lane, (field, square)) in (0..).zip(row.iter_mut().zip(squares)) {
+                    if *field == square.saturating_add(across) {
+                        *field = F::STALE;
+                        first = first.min(lane);
+                        end = lane + 1;
+                    }
+                }
+                if first < end {
+                    stale.add_span(x0 + first, x0 + end, y);
+                    add_rows(self.stale_rows, x0 + first, x0 + end, y);
+                }
+            };
+            if let Some(y) = gy.checked_sub(dy).filter(|_| dy > 0) {
+                row_at(y);
+            }
+            if gy + dy < self.height {
+                row_at(gy + dy);
+            }
+        }
+    }
+
+    /// Recomputes the cells marked stale.
+    fn repair_stale<V: CellValue>(&mut self, stale: &mut Bounds, values: &[V], changed: &mut Bounds) {
+        let Some(rect) = core::mem::replace(stale, Bounds::EMPTY).rect() else {
+            return;
+        };
+        let strips = rect.x0 / 32..rect.x1.div_ceil(32);
+        if rect.width() <= 32 {
+            for rows in self
+                .stale_rows
+                .iter_mut()
+                .take(strips.end as usize)
+                .skip(strips.start as usize)
+            {
+                *rows = [0; 2];
+            }
+            self.repair(rect, Need::Stale, values, changed);
+            return;
+        }
+        for strip in strips {
+            let Some([y0, y1]) = self.stale_rows.get_mut(strip as usize).map(core::mem::take) else {
+                return;
+            };
+            let rect = CellRect {
+                x0: strip * 32,
+                y0,
+                x1: self.width.min(strip * 32 + 32),
+                y1,
+            };
+            if y1 != 0 {
+                self.repair(rect, Need::Stale, values, changed);
+            }
+        }
+    }
+
+    /// So much changed that recomputing everything is cheaper; the sources are up to date.
+    fn repair_all<V: CellValue>(&mut self, values: &[V], changed: &mut Bounds) {
+        self.stale_rows.fill([0; 2]);
+        for x0 in (0..self.width).step_by(32) {
+            let rect = CellRect {
+                x0,
+                y0: 0,
+                x1: self.width.min(x0 + 32),
+                y1: self.height,
+            };
+            self.repair(rect, Need::All, values, changed);
+        }
+    }
+
+    /// Writes the kept costs of the cells whose values changed.
+    pub(super) fn write_costs<V: CellValue>(
+        &mut self,
+        values: &[V],
+        budget: &mut Budget,
+        changed: &mut Bounds,
+    ) -> bool {
+        let Some(costs) = self.costs.as_deref_mut() else {
+            return true;
+        };
+        let steps = super::steps::Steps::new(self.tables.disc);
+        let mut cursor = self.cursors.costs;
+        let finished = loop {
+            let w = match self.changes.next_from(&mut cursor, || budget.take(1)) {
+                Next::Word(w) => w,
+                Next::End => break true,
+                Next::OutOfBudget => break false,
+            };
+            if !budget.take(steps.costs) {
+                break false;
+            }
+            let (x0, gy) = self.changes.cell(w);
+            let mut bits = self.changes.word(w);
+            self.changes.unmark(w, bits);
+            while bits != 0 {
+                let gx = x0 + bits.trailing_zeros();
+                bits &= bits - 1;
+                let i = gy as usize * self.width as usize + gx as usize;
+                if let Some(cost) = costs.get_mut(i)
+                    && let Some(value) = values.get(i)
+                    && let Some(&field) = self.field.get(i)
+                {
+                    let new = self.tables.cost(value.byte(), field);
+                    if core::mem::replace(cost, new) != new {
+                        changed.add(gx, gy);
+                    }
+                }
+            }
+            cursor = w + 1;
+        };
+        self.cursors.costs = cursor;
+        finished
+    }
+}
+
+/// Notes that row `y` has stale cells in columns x0..x1, for every strip of 32 columns.
+fn add_rows(stale_rows: &mut [[u32; 2]], x0: u32, x1: u32, y: u32) {
+    for strip in x0 / 32..=(x1 - 1) / 32 {
+        if let Some([first, end]) = stale_rows.get_mut(strip as usize) {
+            *first = if *end == 0 { y } else { y.min(*first) };
+            *end = (y + 1).max(*end);
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! The one error type of the crate.
+
+use core::fmt;
+
+/// Why an operation was refused. Nothing has changed when one is returned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Error {
+    /// The resolution is not finite or not above zero (metres per cell).
+    InvalidResolution(f32),
+    /// A pose or a point has a coordinate that is NaN or infinite.
+    NonFinitePose,
+    /// `width * height` does not fit into the address space.
+    SizeOverflow,
+    /// A caller-provided buffer is too short.
+    BufferTooSmall {
+        /// Which buffer.
+        buffer: Buffer,
+        /// Elements that are needed.
+        needed: usize,
+        /// Elements that were given.
+        given: usize,
+    },
+    /// A slice has not exactly one element per cell.
+    LengthMismatch {
+        /// Elements that are needed.
+        needed: usize,
+        /// Elements that were given.
+        given: usize,
+    },
+    /// The rolling window would leave the range of cell offsets, +-2^30.
+    OffsetOutOfRange,
+    /// A field of a scan's geometry (angles, range limits) is NaN, or an angle is infinite.
+    InvalidScan,
+    /// An accumulating scan model has `hit < 0`, `miss > 0`, or not `0 <= min <= max <= 100`.
+    InvalidModel,
+    /// A cost map parameter is out of its range; the field says which.
+    InvalidParameter(Parameter),
+    /// Costs above zero reach farther than the field's cells can hold.
+    RadiusTooLarge {
+        /// Largest radius, in cells, that this field type can hold.
+        max_cells: u32,
+    },
+    /// A budget below the largest single step ([`CostMap::min_budget`](crate::costmap::CostMap::min_budget)).
+    BudgetTooSmall {
+        /// The smallest legal budget, in cell visits.
+        min: u32,
+        /// The budget that was given.
+        given: u32,
+    },
+    /// A polygon with fewer than three vertices, or with a vertex that is not finite or is
+    /// farther than 2^30 cells away.
+    InvalidPolygon,
+}
+
+/// The buffer that was too short.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Buffer {
+    /// Cell values, one per cell.
+    Cells,
+    /// The distance field, one per cell.
+    Field,
+    /// Source and change bits, see [`CostMap::bit_words`](crate::costmap::bit_words).
+    Bits,
+    /// Scratch words, see [`scratch_words`](crate::costmap::scratch_words).
+    Scratch,
+    /// Kept cost bytes, one per cell.
+    Costs,
+    /// Beam directions, one per beam.
+    Directions,
+    /// One bit per cell for scans, see [`bitmap_words`](crate::storage::bitmap_words).
+    Seen,
+}
+
+/// The parameter that was out of range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Parameter {
+    /// `inflation_radius`: finite and >= 0 metres.
+    InflationRadius,
+    /// `cost_scaling_factor`: finite and >= 0.
+    CostScalingFactor,
+    /// `lethal_cost`: 2..=254.
+    LethalCost,
+    /// `lethal_threshold`: 1..=100.
+    LethalThreshold,
+    /// `inscribed_radius`: finite and >= 0 metres.
+    InscribedRadius,
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InvalidResolution(r) => {
+                write!(f, "resolution {r} m is not finite and above zero")
+            }
+            Self::NonFinitePose => f.write_str("a pose coordinate is NaN or infinite"),
+            Self::SizeOverflow => f.write_str("width * height is too large"),
+            Self::BufferTooSmall {
+                buffer,
+                needed,
+                given,
+            } => {
+                write!(f, "buffer {buffer:?} holds {given} elements, {needed} are needed")
+            }
+            Self::LengthMismatch { needed, given } => {
+                write!(f, "a slice of {given} elements was given for {needed} cells")
+            }
+            Self::OffsetOutOfRange => f.write_str("the window would move beyond 2^30 cells"),
+            Self::InvalidScan => f.write_str("a scan's angle or range limit is not a number"),
+            Self::InvalidModel => {
+                f.write_str("a scan model needs hit >= 0, miss <= 0 and 0 <= min <= max <= 100")
+            }
+            Self::InvalidParameter(p) => write!(f, "cost map parameter {p:?} is out of range"),
+            Self::RadiusTooLarge { max_cells } => {
+                write!(
+                    f,
+                    "costs reach beyond {max_cells} cells, the most this field holds"
+                )
+            }
+            Self::BudgetTooSmall { min, given } => {
+                write!(f, "a budget of {given} cell visits is below the smallest, {min}")
+            }
+            Self::InvalidPolygon => f.write_str("a polygon needs three or more finite vertices"),
+        }
+    }
+}
+
+impl core::error::Error for Error {}

@@ -1,0 +1,22 @@
+//! Occupancy grids: cell values, the rolling window, and scans.
+
+mod integrate;
+mod occupancy;
+mod scan;
+mod text;
+mod workspace;
+
+pub use occupancy::{OccupancyGrid, StaticOccupancyGrid};
+pub use scan::{LaserScan, ScanModel, ScanReport};
+pub use workspace::{ScanBuffers, ScanWorkspace};
+
+pub(crate) use integrate::ChangeSink;
+
+/// Cell value: nothing is known.
+pub const UNKNOWN: i8 = -1;
+/// Cell value: free.
+pub const FREE: i8 = 0;
+/// Cell value: definitely occupied.
+pub const OCCUPIED: i8 = 100;
+/// Values from here on count as occupied, known ones below as free.
+pub const OCCUPIED_FROM: i8 = 50;

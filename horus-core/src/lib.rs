@@ -1,0 +1,25 @@
+#![no_std]
+#![forbid(unsafe_code)]
+//! Occupancy grids and incremental cost maps for microcontrollers.
+//!
+//! Fixed capacity, no allocation, no panics, exact results, bounded work per tick. All storage is
+//! the caller's; everything is f32 and integers, the same bits on host and target.
+//!
+//! # Layers
+//! Each uses only what stands left of it:
+//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`costmap`].
+//!
+//! # Frames and units
+//! SI units, REP 103 axes, REP 105 frames, REP 117 ranges; angles in radians, counter-clockwise.
+//! Grids are row-major with row 0 at the lowest y; the corner of cell (0, 0) lies at the origin.
+
+pub mod costmap;
+pub mod error;
+pub mod geometry;
+pub mod grid;
+mod math;
+pub mod prelude;
+pub mod storage;
+mod walk;
+
+pub use error::Error;

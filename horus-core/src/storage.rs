@@ -1,0 +1,252 @@
+//! Caller-provided storage: bitmaps over grids, and moving a window's contents in place.
+
+/// Words of one bitmap row: rows start on a word, bits past the width stay zero.
+pub(crate) const fn words_per_row(width: u32) -> usize {
+    (width as usize).div_ceil(32)
+}
+
+/// `u32` words that one bit per cell of a `width` x `height` grid takes; rows start on a word.
+///
+/// ```
+/// assert_eq!(horus_core::storage::bitmap_words(200, 200), 7 * 200);
+/// ```
+pub const fn bitmap_words(width: u32, height: u32) -> usize {
+    words_per_row(width) * height as usize
+}
+
+/// Moves a window over row-major cells: cell (gx, gy) takes what was at (gx + dx, gy + dy);
+/// cells that come into view are set to `fill`.
+///
+/// Complexity: one read and one write per cell; a zero shift returns at once.
+pub(crate) fn shift_cells<T: Copy>(cells: &mut [T], width: u32, height: u32, shift: [i32; 2], fill: T) {
+    let [dx, dy] = shift;
+    let (w, h) = (width as usize, height as usize);
+    if (dx == 0 && dy == 0) || w == 0 {
+        return;
+    }
+    let (ax, ay) = (dx.unsigned_abs() as usize, dy.unsigned_abs() as usize);
+    if ax >= w || ay >= h {
+        cells.fill(fill);
+        return;
+    }
+    // One move of the whole block: the cells that wrap around a row end are filled below.
+    let delta = dy as isize * w as isize + dx as isize;
+    let distance = delta.unsigned_abs();
+    if distance >= cells.len() {
+        cells.fill(fill);
+        return;
+    }
+    if delta > 0 {
+        move_down(cells, distance);
+    } else {
+        move_up(cells, distance);
+    }
+    let new_rows = if dy > 0 { h - ay..h } else { 0..ay };
+    if let Some(rows) = cells.get_mut(new_rows.start * w..new_rows.end * w) {
+        rows.fill(fill);
+    }
+    let new_columns = if dx > 0 { w - ax..w } else { 0..ax };
+    if ax > 0 {
+        for row in cells.chunks_exact_mut(w) {
+            if let Some(columns) = row.get_mut(new_columns.clone()) {
+                columns.fill(fill);
+            }
+        }
+    }
+}
+
+/// Elements that are copied at once: on a core with unaligned loads, whole words instead of the
+/// bytes that a misaligned `memmove` falls back to.
+const BLOCK: usize = 16;
+
+/// `cells[i] = cells[i + distance]`, ascending.
+fn move_down<T: Copy>(cells: &mut [T], distance: usize) {
+    let moved = cells.len().saturating_sub(distance);
+    let mut at = 0;
+    while at + BLOCK <= moved {
+        let Some(block) = cells
+            .get(at + distance..)
+            .and_then(|c| c.first_chunk::<BLOCK>())
+            .copied()
+        else {
+            return;
+        };
+        if let Some(to) = cells.get_mut(at..).and_then(|c| c.first_chunk_mut::<BLOCK>()) {
+            *to = block;
+        }
+        at += BLOCK;
+    }
+    while at < moved {
+        if let Some(&value) = cells.get(at + distance)
+            && let Some(to) = cells.get_mut(at)
+        {
+            *to = value;
+        }
+        at += 1;
+    }
+}
+
+/// `cells[i] = cells[i - distance]`, descending.
+fn move_up<T: Copy>(cells: &mut [T], distance: usize) {
+    let mut at = cells.len();
+    while at >= distance + BLOCK {
+        at -= BLOCK;
+        let Some(block) = cells
+            .get(at - distance..)
+            .and_then(|c| c.first_chunk::<BLOCK>())
+            .copied()
+        else {
+            return;
+        };
+        if let Some(to) = cells.get_mut(at..).and_then(|c| c.first_chunk_mut::<BLOCK>()) {
+            *to = block;
+        }
+    }
+    while at > distance {
+        at -= 1;
+        if let Some(&value) = cells.get(at - distance)
+            && let Some(to) = cells.get_mut(at)
+        {
+            *to = value;
+        }
+    }
+}
+
+/// A bitmap whose rows start on a word, borrowed for reading.
+#[derive(Clone, Copy)]
+pub(crate) struct Bitmap<'a> {
+    words: &'a [u32],
+    width: u32,
+    height: u32,
+}
+
+impl<'a> Bitmap<'a> {
+    pub(crate) fn new(words: &'a [u32], width: u32, height: u32) -> Self {
+        Self { words, width, height }
+    }
+
+    pub(crate) fn width(&self) -> u32 {
+        self.width
+    }
+
+    pub(crate) fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// The words of a row; empty outside the grid.
+    #[inline]
+    pub(crate) fn row(&self, gy: i32) -> &'a [u32] {
+        let per_row = words_per_row(self.width);
+        if gy < 0 || gy as u32 >= self.height {
+            return &[];
+        }
+        self.words
+            .get(gy as usize * per_row..(gy as usize + 1) * per_row)
+            .unwrap_or(&[])
+    }
+}
+
+/// The 32 bits of a bitmap row that start at column `x`, which may lie outside: zeros there.
+#[inline]
+pub(crate) fn bits_at(row: &[u32], x: i32) -> u32 {
+    let word = |i: i32| row.get(i as usize).copied().unwrap_or(0); // a negative index is too large
+    let (i, shift) = (x >> 5, x & 31);
+    if shift == 0 {
+        word(i)
+    } else {
+        word(i) >> shift | word(i + 1) << (32 - shift)
+    }
+}
+
+/// Moves a bitmap's window as [`shift_cells`] does; bits that come into view are zero.
+///
+/// Complexity: two words read and one written per word.
+pub(crate) fn shift_bits(words: &mut [u32], width: u32, height: u32, shift: [i32; 2]) {
+    let [dx, dy] = shift;
+    let per_row = words_per_row(width);
+    let last_bits = if width.is_multiple_of(32) {
+        u32::MAX
+    } else {
+        (1 << (width % 32)) - 1
+    };
+    let whole = (i64::from(dx).abs() >= i64::from(width)) || (i64::from(dy).abs() >= i64::from(height));
+    if whole {
+        words.fill(0);
+        return;
+    }
+    let move_row = |words: &mut [u32], gy: i32| {
+        let source = gy + dy;
+        let to = gy as usize * per_row;
+        if source < 0 || source as u32 >= height {
+            if let Some(row) = words.get_mut(to..to + per_row) {
+                row.fill(0);
+            }
+            return;
+        }
+        let from = source as usize * per_row;
+        let mut move_word = |i: usize| {
+            let bits = words
+                .get(from..from + per_row)
+                .map_or(0, |row| bits_at(row, 32 * i as i32 + dx));
+            let mask = if i + 1 == per_row { last_bits } else { u32::MAX };
+            if let Some(word) = words.get_mut(to + i) {
+                *word = bits & mask;
+            }
+        };
+        // A word must be read before it is overwritten.
+        if dx >= 0 {
+            (0..per_row).for_each(&mut move_word);
+        } else {
+            (0..per_row).rev().for_each(&mut move_word);
+        }
+    };
+    if dy >= 0 {
+        (0..height as i32).for_each(|gy| move_row(words, gy));
+    } else {
+        (0..height as i32).rev().for_each(|gy| move_row(words, gy));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use std::vec::Vec;
+
+    #[test]
+    fn shifts_equal_a_cell_by_cell_copy() {
+        for (w, h) in [(1u32, 1u32), (3, 2), (1, 9), (9, 1), (33, 4), (64, 3), (40, 5)] {
+            let old: Vec<u8> = (0..w * h).map(|i| (i * 37 % 251) as u8).collect();
+            for dx in -(w as i32) - 1..=w as i32 + 1 {
+                for dy in -(h as i32) - 1..=h as i32 + 1 {
+                    let at = |gx: u32, gy: u32| {
+                        let (x, y) = (gx as i32 + dx, gy as i32 + dy);
+                        let inside = x >= 0 && y >= 0 && (x as u32) < w && (y as u32) < h;
+                        inside.then(|| old[(y as u32 * w + x as u32) as usize])
+                    };
+                    let mut cells = old.clone();
+                    shift_cells(&mut cells, w, h, [dx, dy], 255);
+                    let mut bits = std::vec![0u32; bitmap_words(w, h)];
+                    for (i, v) in old.iter().enumerate() {
+                        let (gx, gy) = (i as u32 % w, i as u32 / w);
+                        if v % 3 == 0 {
+                            bits[gy as usize * words_per_row(w) + gx as usize / 32] |= 1 << (gx % 32);
+                        }
+                    }
+                    shift_bits(&mut bits, w, h, [dx, dy]);
+                    let bitmap = Bitmap::new(&bits, w, h);
+                    for gy in 0..h {
+                        for gx in 0..w {
+                            let expected = at(gx, gy);
+                            assert_eq!(cells[(gy * w + gx) as usize], expected.unwrap_or(255));
+                            let bit = bits_at(bitmap.row(gy as i32), gx as i32) & 1 == 1;
+                            assert_eq!(bit, expected.is_some_and(|v| v % 3 == 0), "{w}x{h} {dx},{dy}");
+                        }
+                        let past = bits_at(bitmap.row(gy as i32), w as i32);
+                        assert_eq!(past, 0, "bits past the width stay zero");
+                    }
+                }
+            }
+        }
+    }
+}
