@@ -17,12 +17,15 @@ mod sealed {
 ///
 /// `u8` serves effective radii up to 15 cells, `u16` up to 255: no sum of two squares within
 /// those radii reaches the two largest values, which mean "no source in reach" and "stale".
-pub trait FieldCell: Copy + Debug + Default + Eq + Ord + sealed::Sealed + 'static {
+pub trait FieldCell: Copy + Debug + Eq + Ord + sealed::Sealed + 'static {
     /// Inflated costs by field value; all-zero at first.
     #[doc(hidden)]
     type Costs: InflatedCosts + 'static;
     /// Largest offset, in cells, with a cost above zero.
     const MAX_RADIUS: u32;
+    /// A source.
+    #[doc(hidden)]
+    const ZERO: Self;
     /// No source in reach.
     #[doc(hidden)]
     const NONE: Self;
@@ -36,8 +39,10 @@ pub trait FieldCell: Copy + Debug + Default + Eq + Ord + sealed::Sealed + 'stati
     fn squared(self) -> u32;
     #[doc(hidden)]
     fn saturating_add(self, other: Self) -> Self;
+    #[doc(hidden)]
+    fn wrapping_add(self, other: Self) -> Self;
     /// Squares of `from`, `from + 1`, ... cells, saturated; `|from|` is at most
-    /// [`MAX_RADIUS`](Self::MAX_RADIUS) + 32.
+    /// [`MAX_RADIUS`](Self::MAX_RADIUS) + 64.
     #[doc(hidden)]
     fn squares_from(from: i32) -> &'static [Self];
 }
@@ -45,6 +50,7 @@ pub trait FieldCell: Copy + Debug + Default + Eq + Ord + sealed::Sealed + 'stati
 impl FieldCell for u8 {
     type Costs = NearCosts;
     const MAX_RADIUS: u32 = 15;
+    const ZERO: Self = 0;
     const NONE: Self = 255;
     const STALE: Self = 254;
 
@@ -64,8 +70,13 @@ impl FieldCell for u8 {
     }
 
     #[inline]
+    fn wrapping_add(self, other: Self) -> Self {
+        u8::wrapping_add(self, other)
+    }
+
+    #[inline]
     fn squares_from(from: i32) -> &'static [Self] {
-        const CENTRE: usize = 15 + 32;
+        const CENTRE: usize = 15 + 64;
         static TABLE: [u8; 2 * CENTRE + 1] = {
             let mut squares = [255; 2 * CENTRE + 1];
             let mut d = 0;
@@ -83,6 +94,7 @@ impl FieldCell for u8 {
 impl FieldCell for u16 {
     type Costs = FarCosts;
     const MAX_RADIUS: u32 = 255;
+    const ZERO: Self = 0;
     const NONE: Self = 65535;
     const STALE: Self = 65534;
 
@@ -102,8 +114,13 @@ impl FieldCell for u16 {
     }
 
     #[inline]
+    fn wrapping_add(self, other: Self) -> Self {
+        u16::wrapping_add(self, other)
+    }
+
+    #[inline]
     fn squares_from(from: i32) -> &'static [Self] {
-        const CENTRE: usize = 255 + 32;
+        const CENTRE: usize = 255 + 64;
         static TABLE: [u16; 2 * CENTRE + 1] = {
             let mut squares = [65535; 2 * CENTRE + 1];
             let mut d = 0;

@@ -7,9 +7,9 @@ use super::buffers::CostBuffers;
 use super::changes::Changes;
 use super::edges::Edges;
 use super::field::FieldCell;
-use super::kernel::{scratch_words, with_kernel};
+use super::kernel::{self, scratch_words, with_kernel};
 use super::refresh::Refresh;
-use super::repair::{Need, Repair};
+use super::repair::{Repair, Scope};
 use super::steps::Steps;
 use super::tables::CostTables;
 use super::update::Work;
@@ -173,32 +173,16 @@ impl<'a, F: FieldCell> Layer<'a, F> {
         let rows = self.sources.chunks_exact_mut(per_row);
         for (words, values) in rows.zip(values.chunks_exact(self.width as usize)) {
             for (word, values) in words.iter_mut().zip(values.chunks(32)) {
-                let mut bits = 0;
-                for (i, value) in values.iter().enumerate() {
-                    bits |= u32::from(self.tables.is_source(value.byte())) << i;
-                }
-                *word = bits;
+                *word = self.tables.source_bits(values);
             }
         }
     }
 
     /// Computes the whole field from the source bits.
     pub(super) fn compute_field(&mut self) {
-        for x0 in (0..self.width).step_by(32) {
-            let rect = CellRect {
-                x0,
-                y0: 0,
-                x1: self.width.min(x0 + 32),
-                y1: self.height,
-            };
-            let repair = Repair::<u8, F> {
-                sources: Bitmap::new(self.sources, self.width, self.height),
-                field: self.field,
-                rect,
-                need: Need::All,
-                refresh: None,
-            };
-            with_kernel(&self.tables.disc, self.scratch, repair);
+        if self.width > 0 {
+            let sources = Bitmap::new(self.sources, self.width, self.height);
+            kernel::compute(&self.tables.disc, self.scratch, sources, self.field);
         }
     }
 
@@ -206,7 +190,7 @@ impl<'a, F: FieldCell> Layer<'a, F> {
     pub(super) fn repair<V: CellValue>(
         &mut self,
         rect: CellRect,
-        need: Need,
+        scope: Scope,
         values: &[V],
         changed: &mut Bounds,
     ) {
@@ -222,8 +206,8 @@ impl<'a, F: FieldCell> Layer<'a, F> {
             sources: Bitmap::new(self.sources, self.width, self.height),
             field: self.field,
             rect,
-            need,
-            refresh: Some(&mut refresh),
+            scope,
+            refresh: &mut refresh,
         };
         with_kernel(&self.tables.disc, self.scratch, repair);
     }
@@ -243,7 +227,7 @@ impl<'a, F: FieldCell> Layer<'a, F> {
         self.moved = true;
         let unknown_is_source = self.tables.is_source(unknown);
         let new_cost = if unknown_is_source {
-            self.tables.cost(unknown, F::default())
+            self.tables.cost(unknown, F::ZERO)
         } else {
             super::UNKNOWN_COST
         };
@@ -253,8 +237,7 @@ impl<'a, F: FieldCell> Layer<'a, F> {
         if dx.unsigned_abs() >= self.width || dy.unsigned_abs() >= self.height {
             self.changes.clear();
             self.edges.clear();
-            self.field
-                .fill(if unknown_is_source { F::default() } else { F::NONE });
+            self.field.fill(if unknown_is_source { F::ZERO } else { F::NONE });
             self.sources.fill(0);
             if unknown_is_source {
                 self.set_sources(CellRect {
@@ -270,7 +253,7 @@ impl<'a, F: FieldCell> Layer<'a, F> {
         self.changes.shift(shift);
         self.cursors = Cursors::default();
         // New cells start at distance 0: never too cheap before they have been recomputed.
-        storage::shift_cells(self.field, self.width, self.height, shift, F::default());
+        storage::shift_cells(self.field, self.width, self.height, shift, F::ZERO);
         self.edges.shift(shift, self.tables.disc.radius);
         if unknown_is_source {
             self.expose_sources(shift);

@@ -1,8 +1,9 @@
 use super::CellValue;
 use super::changes::Changes;
 use super::field::FieldCell;
+use super::kernel::low_bits;
 use super::tables::CostTables;
-use crate::geometry::Bounds;
+use crate::geometry::{Bounds, CellRect};
 
 /// Brings what readers see up to date after cells of the field were written: the kept cost
 /// bytes, where there are any, and the rectangle of changes.
@@ -16,6 +17,24 @@ pub(crate) struct Refresh<'b, V, F: FieldCell> {
 }
 
 impl<V: CellValue, F: FieldCell> Refresh<'_, V, F> {
+    /// All cells of a rectangle may have new fields.
+    pub(crate) fn rect(&mut self, field: &[F], rect: CellRect) {
+        if self.costs.is_none() {
+            self.changed.add_rect(rect);
+            return;
+        }
+        for gy in rect.y0..rect.y1 {
+            for x0 in (rect.x0..rect.x1).step_by(32) {
+                let x1 = rect.x1.min(x0 + 32);
+                let start = gy as usize * self.width as usize;
+                let row = field
+                    .get(start + x0 as usize..start + x1 as usize)
+                    .unwrap_or_default();
+                self.cells(row, x0, gy, low_bits(x1 - x0));
+            }
+        }
+    }
+
     /// Cells of row `gy` from column `x0` on, those whose bits are set, now have these fields.
     #[inline]
     pub(crate) fn cells(&mut self, field: &[F], x0: u32, gy: u32, mut mask: u32) {

@@ -1,7 +1,8 @@
-use super::CostParams;
 use super::field::{FieldCell, InflatedCosts};
 use super::kernel::Disc;
+use super::kernel::stamp::DiscRows;
 use super::params::Decay;
+use super::{CellValue, CostParams};
 use crate::error::Error;
 
 /// Everything that follows from the parameters and the resolution: computed once, so that
@@ -18,6 +19,7 @@ pub struct CostTables<F: FieldCell> {
     source_from: u8,
     source_span: u8,
     pub(crate) disc: Disc,
+    pub(crate) rows: DiscRows<F>,
 }
 
 impl<F: FieldCell> CostTables<F> {
@@ -28,6 +30,7 @@ impl<F: FieldCell> CostTables<F> {
         source_from: 0,
         source_span: 0,
         disc: Disc { reach: 0, radius: 0 },
+        rows: DiscRows::EMPTY,
     };
 
     /// How far costs above zero reach.
@@ -49,6 +52,7 @@ impl<F: FieldCell> CostTables<F> {
 
     pub(crate) fn fill(&mut self, params: &CostParams, resolution: f32, disc: Disc) {
         self.disc = disc;
+        self.rows.fill(disc);
         self.inflated
             .fill(disc.reach, |squared| params.inflated_cost(squared, resolution));
         for (byte, base) in self.base.iter_mut().enumerate() {
@@ -78,6 +82,27 @@ impl<F: FieldCell> CostTables<F> {
     #[inline]
     pub(crate) fn is_source(&self, value: u8) -> bool {
         value.wrapping_sub(self.source_from) <= self.source_span
+    }
+
+    /// [`is_source`](Self::is_source) for up to 32 cells, a bit each.
+    #[inline]
+    pub(crate) fn source_bits<V: CellValue>(&self, values: &[V]) -> u32 {
+        let mut flags = [0u8; 32];
+        match values.first_chunk::<32>() {
+            Some(values) => flags = values.map(|value| u8::from(self.is_source(value.byte()))),
+            None => {
+                for (flag, value) in flags.iter_mut().zip(values) {
+                    *flag = u8::from(self.is_source(value.byte()));
+                }
+            }
+        }
+        let mut bits = 0;
+        for (i, eight) in flags.as_chunks::<8>().0.iter().enumerate() {
+            // One byte, 0 or 1, per cell: the product gathers them in its highest eight bits.
+            let gathered = u64::from_le_bytes(*eight).wrapping_mul(0x0102_0408_1020_4080) >> 56;
+            bits |= (gathered as u32) << (8 * i);
+        }
+        bits
     }
 
     /// The cost of a cell from its value and its field.

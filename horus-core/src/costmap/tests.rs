@@ -5,7 +5,7 @@ use std::boxed::Box;
 use std::vec;
 use std::vec::Vec;
 
-use super::kernel::{Disc, Kernel, bits, lanes, low_bits};
+use super::kernel::{Disc, Kernel, Need, bits, lanes, low_bits};
 use super::*;
 use crate::geometry::{CellRect, Pose2D};
 use crate::grid::OccupancyGrid;
@@ -52,13 +52,17 @@ fn check_kernel<F: FieldCell, K: Kernel<F>>(mut kernel: K, disc: Disc, seed: u32
         let mut gy = 0;
         while gy < h {
             let mask = if rng.below(3) == 0 { u32::MAX } else { rng.next() } & low_bits(lanes);
-            let mut row = vec![F::STALE; lanes as usize];
-            kernel.row(bitmap, gy as i32, mask, &mut row);
+            let bit = |lane: u32| mask >> lane & 1 == 1;
+            let mut row: Vec<F> = (0..lanes)
+                .map(|l| if bit(l) { F::STALE } else { F::new(3) })
+                .collect();
+            let written = kernel.row(bitmap, gy as i32, &Need::stale(), &mut row);
+            assert_eq!(written & mask, mask);
             for (lane, field) in (0..).zip(&row) {
-                let expected = if mask >> lane & 1 == 1 {
+                let expected = if bit(lane) {
                     brute_force(&sources, disc.reach, (x0 + lane) as i32, gy as i32)
                 } else {
-                    F::STALE
+                    F::new(3)
                 };
                 assert_eq!(
                     *field,
@@ -109,7 +113,7 @@ impl<F: FieldCell> Owned<F> {
         Self {
             cells: vec![0; n],
             bits: vec![0; bit_words(w, h)],
-            field: vec![F::default(); n],
+            field: vec![F::ZERO; n],
             scratch: vec![0; scratch_words(F::MAX_RADIUS.min(31))],
             costs: kept.then(|| vec![0; n]),
             tables: CostTables::EMPTY,

@@ -6,9 +6,10 @@ use super::budget::Budget;
 use super::changes::Next;
 use super::edges::Side;
 use super::field::FieldCell;
+use super::kernel::stamp::Stamp;
 use super::layer::Layer;
 use super::refresh::Refresh;
-use super::repair::Need;
+use super::repair::Scope;
 use super::steps::BLOCK;
 use crate::geometry::{Bounds, CellRect};
 
@@ -132,8 +133,7 @@ impl<F: FieldCell> Layer<'_, F> {
 
     /// Lowers the field around a new source.
     fn stamp<V: CellValue>(&mut self, gx: u32, gy: u32, values: &[V], changed: &mut Bounds) {
-        let disc = self.tables.disc;
-        let width = self.width as usize;
+        let size = (self.width, self.height);
         let mut refresh = Refresh {
             values,
             tables: self.tables,
@@ -142,37 +142,8 @@ impl<F: FieldCell> Layer<'_, F> {
             changed,
             width: self.width,
         };
-        for (dy, half) in (0..).zip(disc.halves()) {
-            let x0 = gx.saturating_sub(half);
-            let x1 = (gx + half + 1).min(self.width);
-            let squares = F::squares_from(x0 as i32 - gx as i32);
-            let across = F::new(dy * dy);
-            let mut row_at = |y: u32| {
-                let start = y as usize * width;
-                let Some(row) = self.field.get_mut(start + x0 as usize..start + x1 as usize) else {
-                    return;
-                };
-                let mut at = 0;
-                for (fields, squares) in row.chunks_mut(32).zip(squares.chunks(32)) {
-                    let mut lowered = 0;
-                    for (lane, (field, square)) in fields.iter_mut().zip(squares).enumerate() {
-                        let new = square.saturating_add(across);
-                        if new < *field {
-                            *field = new;
-                            lowered |= 1 << lane;
-                        }
-                    }
-                    refresh.cells(fields, x0 + at, y, lowered);
-                    at += 32;
-                }
-            };
-            if let Some(y) = gy.checked_sub(dy).filter(|_| dy > 0) {
-                row_at(y);
-            }
-            if gy + dy < self.height {
-                row_at(gy + dy);
-            }
-        }
+        let rect = Stamp::Lower.disc(self.field, size, self.tables.disc, &self.tables.rows, (gx, gy));
+        refresh.rect(self.field, rect);
     }
 
     /// Recomputes the strips that window shifts left along the edges.
@@ -191,7 +162,7 @@ impl<F: FieldCell> Layer<'_, F> {
             let Some(strip) = self.strip(side) else {
                 continue;
             };
-            let need = Need::Edge(side, self.edges.edge(side));
+            let scope = Scope::Edge(side, self.edges.edge(side));
             let row_blocks = strip.height().div_ceil(BLOCK);
             let end = first + row_blocks * strip.width().div_ceil(BLOCK);
             while self.edges.done < end {
@@ -208,7 +179,7 @@ impl<F: FieldCell> Layer<'_, F> {
                     x1: strip.x1.min(strip.x0 + (column + 1) * BLOCK),
                     y1: strip.y1.min(strip.y0 + (row + rows) * BLOCK),
                 };
-                self.repair(rect, need, values, changed);
+                self.repair(rect, scope, values, changed);
                 self.edges.done += rows;
             }
             first = end;
@@ -327,37 +298,15 @@ impl<F: FieldCell> Layer<'_, F> {
 
     /// Marks the cells whose nearest source may have been this one.
     fn mark_stale(&mut self, gx: u32, gy: u32, stale: &mut Bounds) {
-        let width = self.width as usize;
-        for (dy, half) in (0..).zip(self.tables.disc.halves()) {
-            let x0 = gx.saturating_sub(half);
-            let x1 = (gx + half + 1).min(self.width);
-            let squares = F::squares_from(x0 as i32 - gx as i32);
-            let across = F::new(dy * dy);
-            let mut row_at = |y: u32| {
-                let start = y as usize * width;
-                let Some(row) = self.field.get_mut(start + x0 as usize..start + x1 as usize) else {
-                    return;
-                };
-                let (mut first, mut end) = (u32::MAX, 0);
-                for (lane, (field, square)) in (0..).zip(row.iter_mut().zip(squares)) {
-                    if *field == square.saturating_add(across) {
-                        *field = F::STALE;
-                        first = first.min(lane);
-                        end = lane + 1;
-                    }
-                }
-                if first < end {
-                    stale.add_span(x0 + first, x0 + end, y);
-                    add_rows(self.stale_rows, x0 + first, x0 + end, y);
-                }
-            };
-            if let Some(y) = gy.checked_sub(dy).filter(|_| dy > 0) {
-                row_at(y);
-            }
-            if gy + dy < self.height {
-                row_at(gy + dy);
+        let size = (self.width, self.height);
+        let rect = Stamp::MarkStale.disc(self.field, size, self.tables.disc, &self.tables.rows, (gx, gy));
+        for strip in rect.x0 / 32..=(rect.x1 - 1) / 32 {
+            if let Some([first, end]) = self.stale_rows.get_mut(strip as usize) {
+                *first = if *end == 0 { rect.y0 } else { rect.y0.min(*first) };
+                *end = rect.y1.max(*end);
             }
         }
+        stale.add_rect(rect);
     }
 
     /// Recomputes the cells marked stale.
@@ -375,7 +324,7 @@ impl<F: FieldCell> Layer<'_, F> {
             {
                 *rows = [0; 2];
             }
-            self.repair(rect, Need::Stale, values, changed);
+            self.repair(rect, Scope::Stale, values, changed);
             return;
         }
         for strip in strips {
@@ -389,7 +338,7 @@ impl<F: FieldCell> Layer<'_, F> {
                 y1,
             };
             if y1 != 0 {
-                self.repair(rect, Need::Stale, values, changed);
+                self.repair(rect, Scope::Stale, values, changed);
             }
         }
     }
@@ -404,7 +353,7 @@ impl<F: FieldCell> Layer<'_, F> {
                 x1: self.width.min(x0 + 32),
                 y1: self.height,
             };
-            self.repair(rect, Need::All, values, changed);
+            self.repair(rect, Scope::All, values, changed);
         }
     }
 
@@ -450,15 +399,5 @@ impl<F: FieldCell> Layer<'_, F> {
         };
         self.cursors.costs = cursor;
         finished
-    }
-}
-
-/// Notes that row `y` has stale cells in columns x0..x1, for every strip of 32 columns.
-fn add_rows(stale_rows: &mut [[u32; 2]], x0: u32, x1: u32, y: u32) {
-    for strip in x0 / 32..=(x1 - 1) / 32 {
-        if let Some([first, end]) = stale_rows.get_mut(strip as usize) {
-            *first = if *end == 0 { y } else { y.min(*first) };
-            *end = (y + 1).max(*end);
-        }
     }
 }

@@ -176,8 +176,8 @@ impl GridInfo {
         if !pose.is_finite() {
             return Err(Error::NonFinitePose);
         }
-        if self.cells() == 0 {
-            return Ok([0; 2]);
+        if self.resolution == 0.0 {
+            return Ok([0; 2]); // the all-zero grid
         }
         let (lx, ly) = self.local(pose.x, pose.y);
         let shift = |l: f32, offset: i32, size: u32| {

@@ -72,6 +72,12 @@ impl Bounds {
         self.y1 = self.y1.max(gy + 1);
     }
 
+    /// Adds the cells of a rectangle that is not empty.
+    pub(crate) fn add_rect(&mut self, rect: CellRect) {
+        self.add_span(rect.x0, rect.x1, rect.y0);
+        self.y1 = self.y1.max(rect.y1);
+    }
+
     pub(crate) fn rect(&self) -> Option<CellRect> {
         let Self { x0, y0, x1, y1 } = *self;
         (x0 < x1 && y0 < y1).then_some(CellRect { x0, y0, x1, y1 })

@@ -31,12 +31,12 @@ impl LaserScan<'_> {
     /// What a range says, REP 117.
     #[inline]
     pub(crate) fn beam(&self, range: f32) -> Beam {
-        if range >= self.range_max || range == f32::INFINITY {
+        if range.is_nan() || range < self.range_min || range == f32::NEG_INFINITY {
+            Beam::Ignored
+        } else if range >= self.range_max || range == f32::INFINITY {
             Beam::Miss
-        } else if range >= self.range_min && range > f32::NEG_INFINITY {
-            Beam::Hit
         } else {
-            Beam::Ignored // below range_min, -inf, NaN
+            Beam::Hit
         }
     }
 }

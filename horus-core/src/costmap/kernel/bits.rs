@@ -7,7 +7,7 @@
 //! On a Cortex-M4 this takes a third of the instructions of comparing bytes in u32 lanes.
 
 use super::super::field::{FieldCell, MIDDLE_LIMIT, NEAR_LIMIT};
-use super::{Disc, Kernel, low_bits};
+use super::{Disc, Kernel, Need, low_bits};
 use crate::storage::{Bitmap, bits_at};
 
 /// Scratch words for radii up to 15 cells: 32 rows of 16 words.
@@ -148,13 +148,34 @@ impl<'a, const STRIDE: usize, const WORDS: usize> Bits<'a, STRIDE, WORDS> {
 impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'_, STRIDE, WORDS> {
     const LANES: u32 = 32;
 
+    fn all(&mut self, sources: Bitmap<'_>, field: &mut [F]) {
+        let width = sources.width();
+        let need = Need::all();
+        for x0 in (0..width).step_by(32) {
+            Kernel::<F>::start(self, x0 as i32);
+            for (gy, row) in (0..).zip(field.chunks_exact_mut(width as usize)) {
+                let x1 = width.min(x0 + 32) as usize;
+                self.row(
+                    sources,
+                    gy,
+                    &need,
+                    row.get_mut(x0 as usize..x1).unwrap_or_default(),
+                );
+            }
+        }
+    }
+
     fn start(&mut self, x0: i32) {
         self.x0 = x0;
         self.next = i32::MIN;
         self.occupied = i32::MIN;
     }
 
-    fn row(&mut self, sources: Bitmap<'_>, gy: i32, mask: u32, row: &mut [F]) {
+    fn row(&mut self, sources: Bitmap<'_>, gy: i32, need: &Need<F>, row: &mut [F]) -> u32 {
+        let mask = need.mask(row);
+        if mask == 0 {
+            return 0;
+        }
         let (first, last) = (gy - self.radius(), gy + self.radius());
         for entering in first.max(self.next)..=last {
             self.enter(sources, entering);
@@ -169,7 +190,7 @@ impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'
         write(row, mask & !rest, F::NONE);
         for &pair in self.pairs {
             if rest == 0 {
-                return;
+                break;
             }
             let found = (self.word(base, pair & 0xffff) | self.word(base, pair >> 16)) & rest;
             if found != 0 {
@@ -178,6 +199,7 @@ impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'
                 write(row, found, F::new(dx * dx + dy * dy));
             }
         }
+        mask
     }
 }
 

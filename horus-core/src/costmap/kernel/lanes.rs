@@ -5,15 +5,18 @@
 //! them into 16-lane instructions.
 
 use super::super::field::FieldCell;
-use super::{Disc, Kernel};
+use super::{Disc, Kernel, Need, low_bits};
 use crate::storage::{Bitmap, bits_at};
 
-/// The kernel with `LANES` columns (a divisor of 32) and a ring of `ROWS` rows (a power of two
+/// One row, aligned so that vector instructions take it from memory.
+#[derive(Clone, Copy)]
+#[repr(align(16))]
+struct Row<F, const LANES: usize>([F; LANES]);
+
+/// The kernel with `LANES` columns (a divisor of 32 where single cells are recomputed) and a ring of `ROWS` rows (a power of two
 /// above twice the radius).
 pub(crate) struct Lanes<F, const LANES: usize, const ROWS: usize> {
-    ring: [[F; LANES]; ROWS],
-    /// True for rows of the ring that have a source in reach.
-    occupied: [bool; ROWS],
+    ring: [Row<F, LANES>; ROWS],
     disc: Disc,
     x0: i32,
     /// The next row to enter the ring.
@@ -23,12 +26,42 @@ pub(crate) struct Lanes<F, const LANES: usize, const ROWS: usize> {
 impl<F: FieldCell, const LANES: usize, const ROWS: usize> Lanes<F, LANES, ROWS> {
     pub(crate) fn new(disc: &Disc) -> Self {
         Self {
-            ring: [[F::NONE; LANES]; ROWS],
-            occupied: [false; ROWS],
+            ring: [Row([F::NONE; LANES]); ROWS],
             disc: *disc,
             x0: 0,
             next: i32::MIN,
         }
+    }
+
+    /// Makes sure that all rows in reach of row `gy` are in the ring.
+    #[inline]
+    fn reach(&mut self, sources: Bitmap<'_>, gy: i32) {
+        let radius = self.disc.radius as i32;
+        for entering in (gy - radius).max(self.next)..=gy + radius {
+            self.enter(sources, entering);
+        }
+        self.next = gy + radius + 1;
+    }
+
+    /// The lanes of row `gy`.
+    #[inline]
+    fn nearest(&self, gy: i32) -> [F; LANES] {
+        // From the farthest row inwards: each step inwards is 2 dy + 1 squares less.
+        let radius = self.disc.radius as i32;
+        let mut lanes = [F::NONE; LANES];
+        for dy in (0..=radius).rev() {
+            let above = &self.ring[(gy + dy) as usize % ROWS].0;
+            let below = &self.ring[(gy - dy) as usize % ROWS].0;
+            let inwards = F::new(2 * dy as u32 + 1);
+            for ((lane, above), below) in lanes.iter_mut().zip(above).zip(below) {
+                *lane = lane.saturating_add(inwards).min(*above).min(*below);
+            }
+        }
+        let reach = F::new(self.disc.reach);
+        for lane in &mut lanes {
+            *lane = if *lane > reach { F::NONE } else { *lane };
+        }
+        lanes
     }
 
     /// Puts a row into the ring: lanes of min dx^2.
@@ -36,77 +69,97 @@ impl<F: FieldCell, const LANES: usize, const ROWS: usize> Lanes<F, LANES, ROWS> 
     fn enter(&mut self, sources: Bitmap<'_>, gy: i32) {
         let row = sources.row(gy);
         let radius = self.disc.radius as i32;
-        let slot = gy as usize % ROWS;
         let mut lanes = [F::NONE; LANES];
-        let mut any = false;
         if !row.is_empty() {
-            let first = self.x0 - radius;
             let end = self.x0 + LANES as i32 + radius;
-            let mut x = first;
-            while x < end {
-                let mut bits = bits_at(row, x);
-                if end - x < 32 {
-                    bits &= (1 << (end - x)) - 1;
-                }
-                any |= bits != 0;
+            for x in (self.x0 - radius..end).step_by(32) {
+                let mut bits = bits_at(row, x) & low_bits((end - x) as u32);
                 while bits != 0 {
-                    let column = x + bits.trailing_zeros() as i32;
-                    bits &= bits - 1;
-                    let squares = F::squares_from(self.x0 - column);
-                    if let Some(squares) = squares.first_chunk::<LANES>() {
-                        for (lane, square) in lanes.iter_mut().zip(squares) {
-                            *lane = (*lane).min(*square);
+                    // Only the ends of a run of sources matter outside it.
+                    let first = bits.trailing_zeros();
+                    let run = (!(bits >> first)).trailing_zeros();
+                    bits &= !(low_bits(run) << first);
+                    let start = x + first as i32 - self.x0;
+                    lower(&mut lanes, start);
+                    if run > 1 {
+                        let last = start + run as i32 - 1;
+                        lower(&mut lanes, last);
+                        let inside = start.max(0) as usize..(last.max(0) as usize).min(LANES);
+                        for lane in lanes.get_mut(inside).unwrap_or_default() {
+                            *lane = F::ZERO;
                         }
                     }
                 }
-                x += 32;
             }
         }
-        self.ring[slot] = lanes;
-        self.occupied[slot] = any;
+        self.ring[gy as usize % ROWS].0 = lanes;
+    }
+}
+
+/// Lowers the lanes to their squared distance from a source at lane `at`, which may lie outside.
+#[inline]
+fn lower<F: FieldCell, const LANES: usize>(lanes: &mut [F; LANES], at: i32) {
+    if let Some(squares) = F::squares_from(-at).first_chunk::<LANES>() {
+        for (lane, square) in lanes.iter_mut().zip(squares) {
+            *lane = (*lane).min(*square);
+        }
     }
 }
 
 impl<F: FieldCell, const LANES: usize, const ROWS: usize> Kernel<F> for Lanes<F, LANES, ROWS> {
     const LANES: u32 = LANES as u32;
 
+    fn all(&mut self, sources: Bitmap<'_>, field: &mut [F]) {
+        let width = sources.width() as usize;
+        for x0 in (0..width).step_by(LANES) {
+            Kernel::<F>::start(self, x0 as i32);
+            for (gy, row) in (0..).zip(field.chunks_exact_mut(width)) {
+                self.reach(sources, gy);
+                let lanes = self.nearest(gy);
+                let row = row.get_mut(x0..).unwrap_or_default();
+                match row.first_chunk_mut::<LANES>() {
+                    Some(row) => *row = lanes,
+                    None => row.iter_mut().zip(&lanes).for_each(|(cell, lane)| *cell = *lane),
+                }
+            }
+        }
+    }
+
     fn start(&mut self, x0: i32) {
         self.x0 = x0;
         self.next = i32::MIN;
     }
 
-    fn row(&mut self, sources: Bitmap<'_>, gy: i32, mask: u32, row: &mut [F]) {
-        let radius = self.disc.radius as i32;
-        for entering in (gy - radius).max(self.next)..=gy + radius {
-            self.enter(sources, entering);
+    fn row(&mut self, sources: Bitmap<'_>, gy: i32, need: &Need<F>, row: &mut [F]) -> u32 {
+        let Some(from) = need.from.first_chunk::<LANES>() else {
+            return 0;
+        };
+        // Whole rows in arrays, so that every loop below has a fixed length.
+        let mut old = [F::NONE; LANES];
+        match row.first_chunk::<LANES>() {
+            Some(row) => old = *row,
+            None => old
+                .iter_mut()
+                .zip(row.iter())
+                .for_each(|(old, cell)| *old = *cell),
         }
-        self.next = gy + radius + 1;
-        let mut lanes = [F::NONE; LANES];
-        for dy in 0..=radius {
-            let (above, below) = ((gy + dy) as usize % ROWS, (gy - dy) as usize % ROWS);
-            if !(self.occupied[above] || self.occupied[below]) {
-                continue;
-            }
-            let squared = F::new((dy * dy) as u32);
-            let (above, below) = (&self.ring[above], &self.ring[below]);
-            for ((lane, a), b) in lanes.iter_mut().zip(above).zip(below) {
-                *lane = (*lane).min((*a).min(*b).saturating_add(squared));
-            }
+        if !need.is_all()
+            && !old
+                .iter()
+                .zip(from)
+                .fold(false, |any, (&f, &from)| any | need.lane(f, from))
+        {
+            return 0;
         }
-        let reach = F::new(self.disc.reach);
-        for lane in &mut lanes {
-            *lane = if *lane > reach { F::NONE } else { *lane };
+        self.reach(sources, gy);
+        let mut lanes = self.nearest(gy);
+        for ((lane, &old), &from) in lanes.iter_mut().zip(&old).zip(from) {
+            *lane = if need.lane(old, from) { *lane } else { old };
         }
-        if mask == super::low_bits(LANES as u32) && row.len() >= LANES {
-            for (cell, lane) in row.iter_mut().zip(&lanes) {
-                *cell = *lane;
-            }
-        } else {
-            for (i, (cell, lane)) in row.iter_mut().zip(&lanes).enumerate() {
-                if mask >> i & 1 == 1 {
-                    *cell = *lane;
-                }
-            }
+        match row.first_chunk_mut::<LANES>() {
+            Some(row) => *row = lanes,
+            None => row.iter_mut().zip(&lanes).for_each(|(cell, lane)| *cell = *lane),
         }
+        low_bits(row.len() as u32)
     }
 }

@@ -6,8 +6,11 @@
 pub(crate) mod bits;
 mod disc;
 pub(crate) mod lanes;
+mod need;
+pub(crate) mod stamp;
 
 pub(crate) use disc::Disc;
+pub(crate) use need::Need;
 
 use super::field::FieldCell;
 use crate::storage::Bitmap;
@@ -17,12 +20,16 @@ pub(crate) trait Kernel<F> {
     /// Columns that are treated at once, at most 32.
     const LANES: u32;
 
+    /// Computes the whole field, row-major.
+    fn all(&mut self, sources: Bitmap<'_>, field: &mut [F]);
+
     /// Starts a strip whose first column is `x0`.
     fn start(&mut self, x0: i32);
 
-    /// Writes the exact field value of the cells of row `gy` whose bits are set in `mask` to
-    /// `row`, whose first cell is column `x0`. Rows come in ascending order.
-    fn row(&mut self, sources: Bitmap<'_>, gy: i32, mask: u32, row: &mut [F]);
+    /// Writes the exact field value of the cells of `row` that need it; `row` has at most
+    /// [`LANES`](Self::LANES) cells, starts at column `x0` of row `gy`, and rows come in ascending
+    /// order. Returns a bit per cell: set for all cells that needed it, perhaps for others.
+    fn row(&mut self, sources: Bitmap<'_>, gy: i32, need: &Need<F>, row: &mut [F]) -> u32;
 }
 
 /// The kernel that is faster on this machine: vector units come with 64-bit cores.
@@ -39,7 +46,26 @@ pub const fn scratch_words(radius_cells: u32) -> usize {
     }
 }
 
-/// Runs `strip` with the right kernel for a disc.
+/// Computes the whole field of a disc from its sources.
+pub(crate) fn compute<F: FieldCell>(disc: &Disc, scratch: &mut [u32], sources: Bitmap<'_>, field: &mut [F]) {
+    struct All<'b, F> {
+        sources: Bitmap<'b>,
+        field: &'b mut [F],
+    }
+    impl<F> Job<F> for All<'_, F> {
+        fn run(self, kernel: &mut impl Kernel<F>) {
+            kernel.all(self.sources, self.field);
+        }
+    }
+    // Wider strips read fewer rows twice; masks for single cells have no room for them.
+    if PREFER_LANES && disc.radius <= 15 {
+        lanes::Lanes::<F, 64, 32>::new(disc).all(sources, field);
+    } else {
+        with_kernel(disc, scratch, All { sources, field });
+    }
+}
+
+/// Runs a job with the right kernel for a disc.
 pub(crate) fn with_kernel<F: FieldCell>(disc: &Disc, scratch: &mut [u32], job: impl Job<F>) {
     if disc.radius > 31 {
         #[cfg(target_pointer_width = "64")]
