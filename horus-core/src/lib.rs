@@ -23,3 +23,4 @@ pub mod storage;
 mod walk;
 
 pub use error::Error;
+pub use nalgebra;

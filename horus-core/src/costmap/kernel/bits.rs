@@ -33,9 +33,7 @@ const fn count_pairs(limit: u32) -> usize {
     n
 }
 
-/// All such pairs in ascending order of their squared distance. The low half of each is the
-/// offset, in the ring, of the word for (dx, +dy) from that of the present row, the high half
-/// that for (dx, -dy).
+/// The [`offsets`] of all such pairs, in ascending order of their squared distance.
 const fn pairs<const N: usize>(stride: u32, words: u32) -> [u32; N] {
     let mut pairs = [0; N];
     let (mut n, mut squared) = (0, 0);
@@ -45,7 +43,7 @@ const fn pairs<const N: usize>(stride: u32, words: u32) -> [u32; N] {
             let rest: u32 = squared - dx * dx;
             let dy = rest.isqrt();
             if dy * dy == rest {
-                pairs[n] = (dy * stride + dx) | ((words + dx - dy * stride) % words) << 16;
+                pairs[n] = offsets(dx, dy, stride, words);
                 n += 1;
             }
             dx += 1;
@@ -59,8 +57,10 @@ const fn pairs<const N: usize>(stride: u32, words: u32) -> [u32; N] {
 pub(crate) struct Bits<'a, const STRIDE: usize, const WORDS: usize> {
     ring: &'a mut [u32; WORDS],
     disc: Disc,
-    /// Pairs within reach.
+    /// Offsets of all pairs within reach.
     pairs: &'static [u32],
+    /// Offsets of the pairs on the disc's rim: for each dy the largest dx.
+    rim: [u32; STRIDE],
     x0: i32,
     /// The next row to enter the ring.
     next: i32,
@@ -72,10 +72,15 @@ impl<'a, const STRIDE: usize, const WORDS: usize> Bits<'a, STRIDE, WORDS> {
     pub(crate) fn new(disc: &Disc, ring: &'a mut [u32; WORDS]) -> Self {
         let all: &'static [u32] = if STRIDE == 16 { &NEAR } else { &MIDDLE };
         let pairs = all.get(..count_pairs(disc.reach)).unwrap_or(all);
+        let mut rim = [0; STRIDE];
+        for (dy, (pair, half)) in (0..).zip(rim.iter_mut().zip(disc.halves())) {
+            *pair = offsets(half, dy, STRIDE as u32, WORDS as u32);
+        }
         Self {
             ring,
             disc: *disc,
             pairs,
+            rim,
             x0: 0,
             next: i32::MIN,
             occupied: i32::MIN,
@@ -127,22 +132,27 @@ impl<'a, const STRIDE: usize, const WORDS: usize> Bits<'a, STRIDE, WORDS> {
         }
     }
 
-    #[inline]
-    fn word(&self, base: u32, offset: u32) -> u32 {
-        // A power of two: the mask wraps the ring and is the bounds check.
-        self.ring[(base.wrapping_add(offset)) as usize % WORDS]
-    }
-
     /// Cells of the row at `base` that have a source in reach.
     #[inline]
     fn covered(&self, base: u32) -> u32 {
-        let mut covered = 0;
-        for (dy, half) in self.disc.halves().enumerate() {
-            let up = dy as u32 * STRIDE as u32;
-            covered |= self.word(base, half + up) | self.word(base, half.wrapping_sub(up));
-        }
-        covered
+        let rim = self.rim.iter().take(self.disc.radius as usize + 1);
+        rim.fold(0, |covered, &pair| covered | self.pair(base, pair))
     }
+
+    /// The cells with a source at (dx, dy) or (dx, -dy), either way along the row.
+    #[inline]
+    fn pair(&self, base: u32, pair: u32) -> u32 {
+        // Powers of two: the remainder wraps the ring and is the bounds check.
+        let above = self.ring[base.wrapping_add(pair) as usize % WORDS];
+        let below = self.ring[base.wrapping_add(pair >> 16) as usize % WORDS];
+        above | below
+    }
+}
+
+/// The low half: the offset, in the ring, of the word for (dx, +dy) from that of the present row;
+/// the high half: that for (dx, -dy).
+const fn offsets(dx: u32, dy: u32, stride: u32, words: u32) -> u32 {
+    (dy * stride + dx) | ((words + dx - dy * stride) % words) << 16
 }
 
 impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'_, STRIDE, WORDS> {
@@ -188,15 +198,18 @@ impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'
             mask & self.covered(base)
         };
         write(row, mask & !rest, F::NONE);
+        if rest == 0 {
+            return mask;
+        }
         for &pair in self.pairs {
-            if rest == 0 {
-                break;
-            }
-            let found = (self.word(base, pair & 0xffff) | self.word(base, pair >> 16)) & rest;
+            let found = self.pair(base, pair) & rest;
             if found != 0 {
                 rest ^= found;
                 let (dx, dy) = ((pair & 0xffff) % STRIDE as u32, (pair & 0xffff) / STRIDE as u32);
                 write(row, found, F::new(dx * dx + dy * dy));
+                if rest == 0 {
+                    break;
+                }
             }
         }
         mask

@@ -32,8 +32,9 @@ pub(crate) trait Kernel<F> {
     fn row(&mut self, sources: Bitmap<'_>, gy: i32, need: &Need<F>, row: &mut [F]) -> u32;
 }
 
-/// The kernel that is faster on this machine: vector units come with 64-bit cores.
-pub(crate) const PREFER_LANES: bool = cfg!(target_pointer_width = "64");
+/// The kernel that is faster on this machine: vector units come with 64-bit cores. A build with
+/// `--cfg horus_bits_kernel` tests the other one there.
+pub(crate) const PREFER_LANES: bool = cfg!(all(target_pointer_width = "64", not(horus_bits_kernel)));
 
 /// `u32` words of scratch memory that recomputing a field of this radius takes.
 ///

@@ -1,0 +1,9 @@
+//! Core against the std version on random sequences of operations, every byte.
+//!
+//! A failing case is shrunk by proptest and printed with the grid as a picture.
+
+mod cost_map;
+mod footprint;
+mod op;
+mod pair;
+mod scans;
