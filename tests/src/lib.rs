@@ -1,2 +1,9 @@
+//! Programs whose text runs on the host and, in QEMU, on a Cortex-M4F.
+//!
+//! [`rt`] is what they stand on (start, print, exit), [`drive`] the scripted drive whose hashes
+//! must be the same everywhere.
 #![no_std]
-//! wip
+
+pub mod drive;
+pub mod hash;
+pub mod rt;

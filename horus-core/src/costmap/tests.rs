@@ -1,12 +1,16 @@
-//! Both kernels against a brute-force field, and incremental updates against full recomputes.
+//! Both kernels against a brute-force field, incremental updates against full recomputes, and base costs against nav2.
 extern crate std;
 
 use std::boxed::Box;
+use std::path::Path;
 use std::vec;
 use std::vec::Vec;
 
+use super::budget::Budget;
 use super::kernel::{Disc, Kernel, Need, bits, lanes, low_bits};
+use super::layer::Layer;
 use super::*;
+use crate::error::Error;
 use crate::geometry::{CellRect, Pose2D};
 use crate::grid::OccupancyGrid;
 use crate::storage::{Bitmap, bitmap_words, words_per_row};
@@ -120,8 +124,7 @@ impl<F: FieldCell> Owned<F> {
         }
     }
 
-    fn map(&mut self, w: u32, h: u32, origin: Pose2D, params: CostParams) -> CostMap<'_, F> {
-        let grid = OccupancyGrid::new_in(&mut self.cells[..], w, h, 0.05, origin).unwrap();
+    fn split(&mut self) -> (&mut [i8], CostBuffers<'_, F>) {
         let buffers = CostBuffers {
             bits: &mut self.bits,
             field: &mut self.field,
@@ -129,6 +132,12 @@ impl<F: FieldCell> Owned<F> {
             costs: self.costs.as_deref_mut(),
             tables: &mut self.tables,
         };
+        (&mut self.cells, buffers)
+    }
+
+    fn map(&mut self, w: u32, h: u32, origin: Pose2D, params: CostParams) -> CostMap<'_, F> {
+        let (cells, buffers) = self.split();
+        let grid = OccupancyGrid::new_in(cells, w, h, 0.05, origin).unwrap();
         CostMap::new_in(grid, buffers, params).unwrap()
     }
 }
@@ -265,5 +274,78 @@ fn incremental_equals_full_one_byte() {
 fn incremental_equals_full_two_bytes() {
     for seed in 1..100 {
         check_incremental::<u16>(seed, if seed % 10 == 0 { 70 } else { 31 }, seed % 2 == 0);
+    }
+}
+
+/// A map of nav2 from base costs, which is more than an occupancy can say.
+struct BaseCostCase<'j> {
+    json: &'j str,
+}
+
+impl BaseCostCase<'_> {
+    /// The text of a field of the case, a flat JSON object.
+    fn text(&self, key: &str) -> &str {
+        let quoted = std::format!("\"{key}\":");
+        let (_, rest) = self.json.split_once(&quoted).expect("the field");
+        let rest = rest.trim_start().trim_start_matches('"');
+        rest.split(['"', ',', '}']).next().unwrap_or(rest)
+    }
+
+    fn number<T: core::str::FromStr>(&self, key: &str) -> T {
+        self.text(key).parse().ok().expect("a number")
+    }
+
+    fn bytes(&self, key: &str) -> Vec<u8> {
+        let digits = self.text(key);
+        let byte = |at| u8::from_str_radix(&digits[at..at + 2], 16).expect("hex digits");
+        (0..digits.len()).step_by(2).map(byte).collect()
+    }
+
+    /// Compares a full computation and an update from an empty map with nav2; returns the effective radius.
+    fn check<F: FieldCell>(&self) -> Result<u32, Error> {
+        let (w, h) = (self.number("width"), self.number("height"));
+        let params = CostParams {
+            inflation_radius: self.number("inflation_radius"),
+            inscribed_radius: self.number("inscribed_radius"),
+            cost_scaling_factor: self.number("cost_scaling_factor"),
+            inflate_unknown: self.number("inflate_unknown"),
+            unknown_inflates: self.number("inflate_around_unknown"),
+            ..CostParams::nav2()
+        };
+        let (input, formula) = (self.bytes("input"), self.bytes("formula"));
+        let mut owned = Owned::<F>::new(w, h, true);
+        let (_, buffers) = owned.split();
+        let mut layer = Layer::new(w, h, self.number("resolution"), buffers, params)?;
+        layer.tables.read_base_costs(params.unknown_inflates);
+        layer.compute(&input);
+        assert_eq!(layer.costs.as_deref(), Some(&formula[..]), "{}", self.text("id"));
+        layer.compute(&vec![0u8; input.len()]);
+        for (i, _) in (0..).zip(&input).filter(|(_, byte)| **byte != 0) {
+            layer.mark(i % w, i / w);
+        }
+        layer.update(&input, &mut Budget::unlimited());
+        assert_eq!(layer.costs.as_deref(), Some(&formula[..]), "{}", self.text("id"));
+        Ok(layer.tables.disc.radius)
+    }
+}
+
+#[test]
+fn base_costs_equal_nav2() {
+    for folder in ["../tests/golden", "../../shared/golden"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+        let Ok(text) = std::fs::read_to_string(path.join("nav2/inflation.json")) else {
+            std::println!("skipped: {} is not there", path.display());
+            continue;
+        };
+        let objects = text.split('{').filter(|json| json.contains("_mixed_"));
+        let cases: Vec<_> = objects.map(|json| BaseCostCase { json }).collect();
+        assert!(!cases.is_empty());
+        for case in cases {
+            let radius = case.check::<u16>().unwrap();
+            match case.check::<u8>() {
+                Err(Error::RadiusTooLarge { .. }) => assert!(radius > 15),
+                one_byte => assert_eq!(one_byte, Ok(radius)),
+            }
+        }
     }
 }

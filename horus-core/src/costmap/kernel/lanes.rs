@@ -10,7 +10,7 @@ use crate::storage::{Bitmap, bits_at};
 
 /// One row, aligned so that vector instructions take it from memory.
 #[derive(Clone, Copy)]
-#[repr(align(16))]
+#[cfg_attr(target_pointer_width = "64", repr(align(16)))]
 struct Row<F, const LANES: usize>([F; LANES]);
 
 /// The kernel with `LANES` columns (a divisor of 32 where single cells are recomputed) and a ring of `ROWS` rows (a power of two

@@ -68,11 +68,9 @@ pub(crate) fn compute<F: FieldCell>(disc: &Disc, scratch: &mut [u32], sources: B
 
 /// Runs a job with the right kernel for a disc.
 pub(crate) fn with_kernel<F: FieldCell>(disc: &Disc, scratch: &mut [u32], job: impl Job<F>) {
-    if disc.radius > 31 {
-        #[cfg(target_pointer_width = "64")]
-        return job.run(&mut lanes::Lanes::<F, 32, 512>::new(disc));
-        #[cfg(not(target_pointer_width = "64"))]
-        return job.run(&mut lanes::Lanes::<F, 1, 512>::new(disc));
+    if F::MAX_RADIUS > 31 && disc.radius > 31 {
+        far(disc, job);
+        return;
     }
     if PREFER_LANES {
         if disc.radius <= 15 {
@@ -89,6 +87,16 @@ pub(crate) fn with_kernel<F: FieldCell>(disc: &Disc, scratch: &mut [u32], job: i
     {
         job.run(&mut bits::Middle::new(disc, ring));
     }
+}
+
+/// The kernel for radii above 31 cells, in a frame of its own: its ring takes 1 KiB of stack, on
+/// 64-bit hosts 32 KiB.
+#[inline(never)]
+fn far<F: FieldCell>(disc: &Disc, job: impl Job<F>) {
+    #[cfg(target_pointer_width = "64")]
+    job.run(&mut lanes::Lanes::<F, 32, 512>::new(disc));
+    #[cfg(not(target_pointer_width = "64"))]
+    job.run(&mut lanes::Lanes::<F, 1, 512>::new(disc));
 }
 
 /// Work for whichever kernel is chosen.
