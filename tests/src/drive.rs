@@ -49,19 +49,48 @@ pub fn near_scenarios() -> [Scenario; 4] {
         theta: 0.0,
         budget: None,
     };
-    let wide = CostParams { inflation_radius: 0.75, cost_scaling_factor: 3.0, ..CostParams::nav2() };
+    let wide = CostParams {
+        inflation_radius: 0.75,
+        cost_scaling_factor: 3.0,
+        ..CostParams::nav2()
+    };
     [
         base,
-        Scenario { name: "nav2 accumulating", params: CostParams::nav2(), model: ScanModel::accumulate(), ..base },
-        Scenario { name: "horus 0.4.1 turned", params: CostParams::horus(), theta: 0.7, ..base },
-        Scenario { name: "R = 15 budgeted", params: wide, budget: Some(2000), ..base },
+        Scenario {
+            name: "nav2 accumulating",
+            params: CostParams::nav2(),
+            model: ScanModel::accumulate(),
+            ..base
+        },
+        Scenario {
+            name: "horus 0.4.1 turned",
+            params: CostParams::horus(),
+            theta: 0.7,
+            ..base
+        },
+        Scenario {
+            name: "R = 15 budgeted",
+            params: wide,
+            budget: Some(2000),
+            ..base
+        },
     ]
 }
 
 /// Drives with a two-byte field.
 pub fn far_scenarios() -> [Scenario; 1] {
-    let params = CostParams { inflation_radius: 1.0, cost_scaling_factor: 2.0, ..CostParams::nav2() };
-    [Scenario { name: "R = 20", params, model: ScanModel::Set, theta: 0.0, budget: None }]
+    let params = CostParams {
+        inflation_radius: 1.0,
+        cost_scaling_factor: 2.0,
+        ..CostParams::nav2()
+    };
+    [Scenario {
+        name: "R = 20",
+        params,
+        model: ScanModel::Set,
+        theta: 0.0,
+        budget: None,
+    }]
 }
 
 /// Cells per side of the one-byte drives.
@@ -120,10 +149,18 @@ pub fn run<F: FieldCell>(
             }
         }
         if tick % 5 == 4 {
-            let line = |stage, hash| Line { scenario: scenario.name, tick, stage, hash };
+            let line = |stage, hash| Line {
+                scenario: scenario.name,
+                tick,
+                stage,
+                hash,
+            };
             show(line("scan", seen));
             let mut cells = Hash::default();
-            map.occupancy_grid().data().iter().for_each(|v| cells.byte(*v as u8));
+            map.occupancy_grid()
+                .data()
+                .iter()
+                .for_each(|v| cells.byte(*v as u8));
             show(line("cells", cells));
             let mut costs = Hash::default();
             (0..side).for_each(|gy| map.row(gy).for_each(|c| costs.byte(c)));
@@ -142,16 +179,25 @@ impl Room {
     fn measure(&mut self, pose: Pose2D, t: f32, ranges: &mut [f32]) {
         let (x, y) = (pose.x % 5.0, pose.y % 4.0);
         for (i, range) in ranges.iter_mut().enumerate() {
-            let angle = pose.theta - core::f32::consts::PI + i as f32 * (core::f32::consts::TAU / BEAMS as f32);
+            let angle =
+                pose.theta - core::f32::consts::PI + i as f32 * (core::f32::consts::TAU / BEAMS as f32);
             let (s, c) = (libm::sinf(angle), libm::cosf(angle));
             let to = |from: f32, dir: f32, low: f32, high: f32| {
-                if dir > 0.0 { (high - from) / dir } else { (low - from) / dir }
+                if dir > 0.0 {
+                    (high - from) / dir
+                } else {
+                    (low - from) / dir
+                }
             };
             let wall = to(x, c, -2.5, 7.5).min(to(y, s, -2.0, 3.0));
             // A pillar that wanders; its near side along the beam.
             let (px, py) = (1.5 - x + 0.02 * t, 1.0 - y);
             let (along, across) = (px * c + py * s, py * c - px * s);
-            let pillar = if along > 0.0 && across.abs() < 0.25 { along - 0.2 } else { f32::INFINITY };
+            let pillar = if along > 0.0 && across.abs() < 0.25 {
+                along - 0.2
+            } else {
+                f32::INFINITY
+            };
             let noise = self.next();
             *range = match noise % 97 {
                 0 => f32::NAN,

@@ -9,7 +9,11 @@ mod target {
 
     /// Ends the program; QEMU's exit code tells whether it succeeded.
     pub fn exit(ok: bool) -> ! {
-        debug::exit(if ok { debug::EXIT_SUCCESS } else { debug::EXIT_FAILURE });
+        debug::exit(if ok {
+            debug::EXIT_SUCCESS
+        } else {
+            debug::EXIT_FAILURE
+        });
         loop {
             cortex_m::asm::nop();
         }

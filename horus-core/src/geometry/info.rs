@@ -15,7 +15,7 @@ const BOUNDARY_EPSILON: f32 = 1.0 / 1024.0;
 ///
 /// All bits zero is a legal 0 x 0 grid.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GridInfo {
     resolution: f32,

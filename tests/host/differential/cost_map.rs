@@ -19,14 +19,26 @@ fn params(max_cells: u32, resolution: f32) -> impl Strategy<Value = CostParams> 
     let flags = any::<(bool, bool)>();
     let inscribed = 0.0..3.0 * resolution;
     (radius, factor, lethal, threshold, exponential, flags, inscribed).prop_map(
-        |(inflation_radius, cost_scaling_factor, lethal_cost, lethal_threshold, exponential, flags, inscribed_radius)| {
+        |(
+            inflation_radius,
+            cost_scaling_factor,
+            lethal_cost,
+            lethal_threshold,
+            exponential,
+            flags,
+            inscribed_radius,
+        )| {
             CostParams {
                 inflation_radius,
                 cost_scaling_factor,
                 lethal_cost,
                 lethal_threshold,
                 unknown_inflates: flags.0,
-                decay: if exponential { Decay::Exponential } else { Decay::Polynomial },
+                decay: if exponential {
+                    Decay::Exponential
+                } else {
+                    Decay::Polynomial
+                },
                 inscribed_radius,
                 inflate_unknown: flags.1,
             }
@@ -56,7 +68,11 @@ fn size() -> impl Strategy<Value = (u32, u32)> {
 
 fn setup(max_cells: u32) -> impl Strategy<Value = Setup> {
     let resolution = prop_oneof![Just(0.05f32), Just(0.1), 0.02f32..0.3];
-    let origin = (-2.0f32..2.0, -2.0f32..2.0, prop_oneof![Just(0.0f32), -4.0f32..4.0]);
+    let origin = (
+        -2.0f32..2.0,
+        -2.0f32..2.0,
+        prop_oneof![Just(0.0f32), -4.0f32..4.0],
+    );
     (size(), resolution, origin).prop_flat_map(move |((width, height), resolution, (x, y, theta))| {
         preset(max_cells, resolution).prop_map(move |params| Setup {
             width,
@@ -88,7 +104,11 @@ fn run<F: FieldCell>(setup: &Setup, ops: &[Op], kept: bool) {
         return;
     };
     pair.check_costs();
-    let mut since = Since { costs: pair.costs(), shifted: false, changed: None };
+    let mut since = Since {
+        costs: pair.costs(),
+        shifted: false,
+        changed: None,
+    };
     for op in ops {
         match *op {
             Op::Set { gx, gy, value } => pair.set(gx, gy, value),
@@ -147,19 +167,45 @@ fn finished<F: FieldCell>(pair: &mut Pair<'_, F>, since: &mut Since, changed: Op
     let one_call = since.changed.is_none();
     let changed = union(since.changed, changed);
     let mut smallest = None;
-    for (i, _) in now.iter().zip(&since.costs).enumerate().filter(|(_, (a, b))| a != b) {
+    for (i, _) in now
+        .iter()
+        .zip(&since.costs)
+        .enumerate()
+        .filter(|(_, (a, b))| a != b)
+    {
         let (gx, gy) = (i as u32 % width, i as u32 / width);
-        smallest = union(smallest, Some(CellRect { x0: gx, y0: gy, x1: gx + 1, y1: gy + 1 }));
+        smallest = union(
+            smallest,
+            Some(CellRect {
+                x0: gx,
+                y0: gy,
+                x1: gx + 1,
+                y1: gy + 1,
+            }),
+        );
     }
     if since.shifted {
-        let whole = CellRect { x0: 0, y0: 0, x1: width, y1: pair.core.info().height() };
+        let whole = CellRect {
+            x0: 0,
+            y0: 0,
+            x1: width,
+            y1: pair.core.info().height(),
+        };
         assert_eq!(changed, Some(whole), "after a shift: the whole map");
     } else if kept && one_call {
         assert_eq!(changed, smallest, "the smallest rectangle");
     } else {
-        assert_eq!(union(changed, smallest), changed, "a rectangle that holds every change");
+        assert_eq!(
+            union(changed, smallest),
+            changed,
+            "a rectangle that holds every change"
+        );
     }
-    *since = Since { costs: now, shifted: false, changed: None };
+    *since = Since {
+        costs: now,
+        shifted: false,
+        changed: None,
+    };
 }
 
 fn setup_width<F: FieldCell>(pair: &Pair<'_, F>) -> u32 {
@@ -217,7 +263,13 @@ fn an_empty_map_does_nothing() {
         pair.set(0, 0, 100);
         pair.recenter(3.0, 4.0);
         assert_eq!(pair.core.cost(0.0, 0.0), None);
-        assert_eq!(pair.core.update_costs_within(pair.core.min_budget()).unwrap().pending, 0);
+        assert_eq!(
+            pair.core
+                .update_costs_within(pair.core.min_budget())
+                .unwrap()
+                .pending,
+            0
+        );
         pair.check_costs();
     }
 }

@@ -45,17 +45,33 @@ proptest! {
 #[test]
 fn bad_polygons_are_errors() {
     let origin = Pose2D::default();
-    let setup = Setup { width: 40, height: 30, resolution: 0.1, origin, params: CostParams::default() };
+    let setup = Setup {
+        width: 40,
+        height: 30,
+        resolution: 0.1,
+        origin,
+        params: CostParams::default(),
+    };
     let mut buffers = Buffers::<u8>::new(40, 30, false);
     let pair = Pair::new(&mut buffers, &setup).unwrap();
     let square = [(0.0, 0.0), (0.5, 0.0), (0.5, 0.5), (0.0, 0.5)];
     let footprint = |pose, polygon: &[(f32, f32)]| pair.core.footprint_cost(pose, polygon);
-    assert_eq!(footprint(Pose2D::default(), &square[..2]), Err(Error::InvalidPolygon));
+    assert_eq!(
+        footprint(Pose2D::default(), &square[..2]),
+        Err(Error::InvalidPolygon)
+    );
     for bad in [f32::NAN, f32::INFINITY, 3e38] {
         let polygon = [(0.0, 0.0), (bad, 0.0), (0.5, 0.5)];
         assert_eq!(footprint(Pose2D::default(), &polygon), Err(Error::InvalidPolygon));
         assert!(footprint(Pose2D::new(0.0, bad, 0.0), &square).is_err());
     }
     let unknown = footprint(Pose2D::new(1.0, 1.0, 0.0), &square).unwrap();
-    assert_eq!(unknown, FootprintCost { cost: None, touches_unknown: true, leaves_map: false });
+    assert_eq!(
+        unknown,
+        FootprintCost {
+            cost: None,
+            touches_unknown: true,
+            leaves_map: false
+        }
+    );
 }

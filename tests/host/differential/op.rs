@@ -6,15 +6,33 @@ use proptest::prelude::*;
 /// One operation on a map.
 #[derive(Clone, Debug)]
 pub enum Op {
-    Set { gx: u32, gy: u32, value: i8 },
-    Block { gx: u32, gy: u32, size: u32, value: i8 },
+    Set {
+        gx: u32,
+        gy: u32,
+        value: i8,
+    },
+    Block {
+        gx: u32,
+        gy: u32,
+        size: u32,
+        value: i8,
+    },
     Scan(Scan),
     /// Moves the robot by so many cells, not only whole ones.
-    Move { dx: f32, dy: f32 },
-    Jump { x: f32, y: f32 },
+    Move {
+        dx: f32,
+        dy: f32,
+    },
+    Jump {
+        x: f32,
+        y: f32,
+    },
     Update,
     /// Budget above the smallest, and how many calls at most.
-    UpdateWithin { extra: u32, calls: u32 },
+    UpdateWithin {
+        extra: u32,
+        calls: u32,
+    },
 }
 
 /// A scan from somewhere near the map.
@@ -49,8 +67,12 @@ fn model() -> impl Strategy<Value = ScanModel> {
     prop_oneof![
         Just(ScanModel::Set),
         Just(ScanModel::accumulate()),
-        (0..=127i8, -128..=0i8, 0..=100i8, 0..=100i8)
-            .prop_map(|(hit, miss, a, b)| ScanModel::Accumulate { hit, miss, min: a.min(b), max: a.max(b) }),
+        (0..=127i8, -128..=0i8, 0..=100i8, 0..=100i8).prop_map(|(hit, miss, a, b)| ScanModel::Accumulate {
+            hit,
+            miss,
+            min: a.min(b),
+            max: a.max(b)
+        }),
     ]
 }
 

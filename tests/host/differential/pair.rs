@@ -89,7 +89,13 @@ fn std_model(m: ScanModel) -> std_side::ScanModel {
 impl<'a, F: FieldCell> Pair<'a, F> {
     /// `None` if the costs reach farther than the field holds.
     pub fn new(buffers: &'a mut Buffers<F>, setup: &Setup) -> Option<Self> {
-        let Setup { width, height, resolution, origin, params } = *setup;
+        let Setup {
+            width,
+            height,
+            resolution,
+            origin,
+            params,
+        } = *setup;
         let grid = OccupancyGrid::new_in(&mut buffers.cells[..], width, height, resolution, origin).unwrap();
         let cost_buffers = CostBuffers {
             bits: &mut buffers.bits,
@@ -106,7 +112,13 @@ impl<'a, F: FieldCell> Pair<'a, F> {
         let grid = std_side::OccupancyGrid::new(width, height, resolution, std_pose(origin));
         let oracle = std_side::CostMap::with_params(grid, std_params(&params)).unwrap();
         let workspace = ScanWorkspace::new_in(&mut buffers.directions, &mut buffers.seen);
-        Some(Self { core, oracle, workspace, robot: (0.0, 0.0), resolution })
+        Some(Self {
+            core,
+            oracle,
+            workspace,
+            robot: (0.0, 0.0),
+            resolution,
+        })
     }
 
     pub fn set(&mut self, gx: u32, gy: u32, value: i8) {
@@ -130,13 +142,21 @@ impl<'a, F: FieldCell> Pair<'a, F> {
             ranges: scan.ranges.clone(),
         };
         let pose = Pose2D::new(scan.x + self.robot.0, scan.y + self.robot.1, scan.theta);
-        let got = self.core.integrate_scan(&core_scan, pose, scan.model, &mut self.workspace).unwrap();
+        let got = self
+            .core
+            .integrate_scan(&core_scan, pose, scan.model, &mut self.workspace)
+            .unwrap();
         let expected = self
             .oracle
             .occupancy_grid
             .integrate_scan(&std_scan, std_pose(pose), std_model(scan.model))
             .unwrap();
-        let rect = |r: std_side::Rect| CellRect { x0: r.x0, y0: r.y0, x1: r.x1, y1: r.y1 };
+        let rect = |r: std_side::Rect| CellRect {
+            x0: r.x0,
+            y0: r.y0,
+            x1: r.x1,
+            y1: r.y1,
+        };
         assert_eq!(got.changed, expected.changed.map(rect));
         assert_eq!(
             (got.hits, got.misses, got.ignored),
@@ -161,7 +181,10 @@ impl<'a, F: FieldCell> Pair<'a, F> {
 
     /// Every occupancy value equal.
     pub fn check_cells(&self) {
-        let (got, expected) = (self.core.occupancy_grid().data(), &self.oracle.occupancy_grid.data);
+        let (got, expected) = (
+            self.core.occupancy_grid().data(),
+            &self.oracle.occupancy_grid.data,
+        );
         if got != &expected[..] {
             panic!("cells differ\n{}", self.picture(|i| got[i] != expected[i]));
         }
@@ -171,7 +194,9 @@ impl<'a, F: FieldCell> Pair<'a, F> {
     pub fn check_costs(&mut self) {
         self.oracle.compute_costs();
         let (width, height) = (self.core.info().width(), self.core.info().height());
-        let got: Vec<u8> = (0..height).flat_map(|gy| self.core.row(gy).collect::<Vec<_>>()).collect();
+        let got: Vec<u8> = (0..height)
+            .flat_map(|gy| self.core.row(gy).collect::<Vec<_>>())
+            .collect();
         let expected = &self.oracle.costs;
         if &got != expected {
             let first = (0..got.len()).find(|&i| got[i] != expected[i]).unwrap();
@@ -191,7 +216,9 @@ impl<'a, F: FieldCell> Pair<'a, F> {
 
     /// Present costs, row-major.
     pub fn costs(&self) -> Vec<u8> {
-        (0..self.core.info().height()).flat_map(|gy| self.core.row(gy).collect::<Vec<_>>()).collect()
+        (0..self.core.info().height())
+            .flat_map(|gy| self.core.row(gy).collect::<Vec<_>>())
+            .collect()
     }
 
     /// The grid as text, top row first: `#` lethal, `.` known, `?` unknown, `X` marked.

@@ -8,7 +8,13 @@ use crate::op::{Scan, scan};
 use crate::pair::{Buffers, Pair, Setup};
 
 fn pair_on<R>(resolution: f32, origin: Pose2D, test: impl FnOnce(&mut Pair<'_, u8>) -> R) -> R {
-    let setup = Setup { width: 40, height: 30, resolution, origin, params: CostParams::default().with_radius(0.2) };
+    let setup = Setup {
+        width: 40,
+        height: 30,
+        resolution,
+        origin,
+        params: CostParams::default().with_radius(0.2),
+    };
     let mut buffers = Buffers::<u8>::new(40, 30, false);
     test(&mut Pair::new(&mut buffers, &setup).unwrap())
 }

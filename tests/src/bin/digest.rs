@@ -7,7 +7,13 @@ use horus_tests::rt::hprintln;
 horus_tests::start!(run);
 
 fn print(line: Line) {
-    hprintln!("{} | tick {} | {} | {:08x}", line.scenario, line.tick, line.stage, line.hash.0);
+    hprintln!(
+        "{} | tick {} | {} | {:08x}",
+        line.scenario,
+        line.tick,
+        line.stage,
+        line.hash.0
+    );
 }
 
 fn run() -> bool {
