@@ -1,0 +1,167 @@
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+
+use horus_host::lockstep::{Layers, LockstepConfig};
+use horus_host::log::msg::{
+    Costmap, CostmapMetaData, Header, MapMetaData, OccupancyGrid, Pose, TFMessage, Time, Transform,
+    TransformStamped,
+};
+use horus_host::log::{LogWriter, cost_to_viewable};
+use horus_host::tf::Pose2;
+
+use super::step::ScanStep;
+use super::survey::in_file;
+
+/// Root of the frames in the logs we write.
+pub const MAP_FRAME: &str = "map";
+
+/// Scans between two flushes: what a crash can cost.
+const SCANS_PER_FLUSH: u32 = 64;
+
+/// The frames a run works in, without leading slashes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Frames {
+    /// The frame the map lies in.
+    pub odom: String,
+    /// The robot.
+    pub base: String,
+}
+
+/// The log of one side: scans, transforms and that side's maps.
+pub struct MapLog {
+    path: PathBuf,
+    writer: LogWriter<BufWriter<File>>,
+    config: LockstepConfig,
+    frames: Frames,
+    /// Sensor frame and mounting pose as last written.
+    mount: Option<(String, Pose2)>,
+    unflushed: u32,
+}
+
+impl MapLog {
+    /// Starts the log at `path` with a `horus` metadata record.
+    pub fn create(
+        path: &Path,
+        config: &LockstepConfig,
+        frames: &Frames,
+        metadata: BTreeMap<String, String>,
+    ) -> anyhow::Result<Self> {
+        let start = || {
+            let mut writer = LogWriter::create(path)?;
+            writer.set_flush_interval(0);
+            writer.metadata("horus", metadata)?;
+            Ok(writer)
+        };
+        Ok(Self {
+            path: path.to_owned(),
+            writer: start().map_err(|error| in_file(path, error))?,
+            config: *config,
+            frames: frames.clone(),
+            mount: None,
+            unflushed: 0,
+        })
+    }
+
+    /// Writes a scan and the transforms that connect it, and with `layers` the maps after it.
+    pub fn write(&mut self, step: &ScanStep, layers: Option<&Layers>) -> anyhow::Result<()> {
+        let written = self.write_step(step, layers);
+        written.map_err(|error| in_file(&self.path, error))
+    }
+
+    /// Writes index and footer.
+    pub fn finish(self) -> anyhow::Result<PathBuf> {
+        self.writer.finish().map_err(|error| in_file(&self.path, error))?;
+        Ok(self.path)
+    }
+
+    fn write_step(
+        &mut self,
+        step: &ScanStep,
+        layers: Option<&Layers>,
+    ) -> Result<(), horus_host::log::LogError> {
+        let (stamp_ns, laser) = (step.stamp_ns, &step.scan.header.frame_id);
+        let mount = Some((laser.clone(), step.mount));
+        if self.mount != mount && *laser != self.frames.base {
+            let message = TFMessage {
+                transforms: vec![transform(stamp_ns, &self.frames.base, laser, step.mount)],
+            };
+            self.writer.write("/tf_static", stamp_ns, &message)?;
+            self.mount = mount;
+        }
+        let Frames { odom, base } = &self.frames;
+        let mut transforms = vec![transform(stamp_ns, odom, base, step.robot)];
+        if odom != MAP_FRAME {
+            let identity = Pose2 {
+                x: 0.0,
+                y: 0.0,
+                yaw: 0.0,
+            };
+            let pose = step.map_from_odom.unwrap_or(identity);
+            transforms.insert(0, transform(stamp_ns, MAP_FRAME, odom, pose));
+        }
+        self.writer.write("/tf", stamp_ns, &TFMessage { transforms })?;
+        self.writer.write("/scan", stamp_ns, &step.scan)?;
+        if let Some(layers) = layers {
+            self.write_maps(stamp_ns, layers)?;
+        }
+        self.unflushed += 1;
+        if self.unflushed >= SCANS_PER_FLUSH {
+            self.unflushed = 0;
+            self.writer.flush()?;
+        }
+        Ok(())
+    }
+
+    fn write_maps(&mut self, stamp_ns: u64, layers: &Layers) -> Result<(), horus_host::log::LogError> {
+        let header = Header::new(stamp_ns, &self.frames.odom);
+        let [x, y] = self.config.corner(layers.offset);
+        let origin = Pose::planar(x, y, 0.0);
+        let LockstepConfig {
+            width,
+            height,
+            resolution,
+            ..
+        } = self.config;
+        let map = |data: Vec<i8>| OccupancyGrid {
+            header: header.clone(),
+            info: MapMetaData {
+                map_load_time: Time::default(),
+                resolution,
+                width,
+                height,
+                origin,
+            },
+            data,
+        };
+        self.writer
+            .write("/local_map", stamp_ns, &map(layers.occupancy.clone()))?;
+        let lethal = self.config.params.lethal_cost;
+        let viewable = layers.costs.iter().map(|&cost| cost_to_viewable(cost, lethal));
+        self.writer
+            .write("/costmap", stamp_ns, &map(viewable.collect()))?;
+        let exact = Costmap {
+            metadata: CostmapMetaData {
+                map_load_time: Time::default(),
+                update_time: header.stamp,
+                layer: "master".to_owned(),
+                resolution,
+                size_x: width,
+                size_y: height,
+                origin,
+            },
+            header,
+            data: layers.costs.clone(),
+        };
+        self.writer.write("/costmap_raw", stamp_ns, &exact)
+    }
+}
+
+fn transform(stamp_ns: u64, parent: &str, child: &str, pose: Pose2) -> TransformStamped {
+    TransformStamped {
+        header: Header::new(stamp_ns, parent),
+        child_frame_id: child.to_owned(),
+        transform: Transform::planar(pose.x, pose.y, pose.yaw),
+    }
+}

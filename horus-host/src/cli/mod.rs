@@ -1,0 +1,83 @@
+//! Commands, their options and what they print.
+//!
+//! Exit codes: 0 everything equal, 1 a mismatch or a difference, 2 bad input or usage, with one
+//! sentence on standard error.
+
+mod compare;
+mod demo;
+mod map_log;
+mod map_options;
+mod out_dir;
+mod progress;
+mod recording;
+mod replay;
+mod report;
+mod session;
+mod skipped;
+mod step;
+mod summary;
+mod survey;
+mod verdict;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use verdict::{one_sentence, unusable};
+
+/// Runs the command that the arguments of the process name.
+pub fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Help and version go to standard output and are no failure; nobody may be listening.
+            let _ = error.print();
+            return if error.use_stderr() {
+                unusable()
+            } else {
+                ExitCode::SUCCESS
+            };
+        }
+    };
+    let result = match &arguments.command {
+        Command::Demo(options) => demo::run(options),
+        Command::Replay(options) => replay::run(options),
+        Command::Compare(options) => compare::run(options),
+    };
+    match result {
+        Ok(verdict) => verdict.into(),
+        Err(error) => {
+            eprintln!("horus-host: {}", one_sentence(&error));
+            unusable()
+        }
+    }
+}
+
+/// Runs the embedded core and its std version side by side and compares every cell.
+#[derive(Debug, Parser)]
+#[command(name = "horus-host", bin_name = "horus-host", version, after_help = EXAMPLES, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Drive a robot through a made-up building; needs no input
+    Demo(demo::DemoOptions),
+    /// Replay the laser scans of a recorded ROS 2 log (MCAP)
+    Replay(replay::ReplayOptions),
+    /// Compare two logs topic by topic, message by message, cell by cell
+    Compare(compare::CompareOptions),
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  horus-host demo                             60 s in a made-up building, results in ./out
+  horus-host demo --seconds 5 --out /tmp/o    a short one, elsewhere
+  horus-host replay drive.mcap                every scan of a log through both versions
+  horus-host replay drive.mcap --out out --width 400 --height 400 --radius 1.0
+  horus-host replay drive.mcap --preset nav2 --scan /front/scan --odom-frame map
+  horus-host compare out/core.mcap out/std.mcap
+
+Exit codes: 0 everything equal, 1 a mismatch, 2 bad input or usage.";

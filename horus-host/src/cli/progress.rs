@@ -1,0 +1,12 @@
+use std::io::{IsTerminal, stderr};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// A progress bar over `scans` on standard error, hidden unless that is a terminal.
+pub fn bar(scans: u64) -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scans, {elapsed} of {duration}");
+    ProgressBar::new(scans).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

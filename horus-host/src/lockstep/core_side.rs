@@ -1,0 +1,123 @@
+use horus_core::costmap::FieldCell;
+use horus_core::prelude::{
+    CostBuffers, CostMap, Error, LaserScan, OccupancyGrid, Pose2D, ScanModel, ScanReport, ScanWorkspace,
+};
+
+use super::storage::FieldStorage;
+use super::{CoreStorage, Layers, LockstepConfig, LockstepError};
+
+/// The embedded core's map, whatever the type of its field.
+pub(super) struct CoreSide<'a> {
+    map: Box<dyn CoreMap + 'a>,
+    workspace: ScanWorkspace<'a>,
+    model: ScanModel,
+}
+
+impl<'a> CoreSide<'a> {
+    pub fn new(config: &LockstepConfig, storage: &'a mut CoreStorage) -> Result<Self, LockstepError> {
+        let LockstepConfig { width, height, .. } = *config;
+        let grid = OccupancyGrid::new_in(
+            &mut storage.cells[..],
+            width,
+            height,
+            config.resolution,
+            config.origin(),
+        )?;
+        let (bits, scratch, costs) = (
+            &mut storage.bits[..],
+            &mut storage.scratch[..],
+            storage.costs.as_deref_mut(),
+        );
+        let map: Box<dyn CoreMap + 'a> = match &mut storage.field {
+            FieldStorage::One(field, tables) => {
+                let tables = tables.split().1.tables;
+                let buffers = CostBuffers {
+                    bits,
+                    field,
+                    scratch,
+                    costs,
+                    tables,
+                };
+                Box::new(CostMap::new_in(grid, buffers, config.params)?)
+            }
+            FieldStorage::Two(field, tables) => {
+                let tables = tables.split().1.tables;
+                let buffers = CostBuffers {
+                    bits,
+                    field,
+                    scratch,
+                    costs,
+                    tables,
+                };
+                Box::new(CostMap::new_in(grid, buffers, config.params)?)
+            }
+        };
+        Ok(Self {
+            map,
+            workspace: ScanWorkspace::new_in(&mut storage.directions, &mut storage.seen),
+            model: config.model,
+        })
+    }
+
+    pub fn recenter(&mut self, robot: Pose2D) -> Result<[i32; 2], Error> {
+        self.map.recenter(robot)
+    }
+
+    pub fn integrate(&mut self, scan: &LaserScan<'_>, sensor: Pose2D) -> Result<ScanReport, Error> {
+        self.map.integrate(scan, sensor, self.model, &mut self.workspace)
+    }
+
+    pub fn update_costs(&mut self) {
+        self.map.update_costs();
+    }
+
+    /// Copies the map out.
+    pub fn read(&self, layers: &mut Layers) {
+        self.map.read(layers);
+    }
+}
+
+/// A core cost map with the type of its field erased.
+trait CoreMap {
+    fn recenter(&mut self, robot: Pose2D) -> Result<[i32; 2], Error>;
+    fn integrate(
+        &mut self,
+        scan: &LaserScan<'_>,
+        sensor: Pose2D,
+        model: ScanModel,
+        workspace: &mut ScanWorkspace<'_>,
+    ) -> Result<ScanReport, Error>;
+    fn update_costs(&mut self);
+    fn read(&self, layers: &mut Layers);
+}
+
+impl<F: FieldCell> CoreMap for CostMap<'_, F> {
+    fn recenter(&mut self, robot: Pose2D) -> Result<[i32; 2], Error> {
+        CostMap::recenter(self, robot)
+    }
+
+    fn integrate(
+        &mut self,
+        scan: &LaserScan<'_>,
+        sensor: Pose2D,
+        model: ScanModel,
+        workspace: &mut ScanWorkspace<'_>,
+    ) -> Result<ScanReport, Error> {
+        self.integrate_scan(scan, sensor, model, workspace)
+    }
+
+    fn update_costs(&mut self) {
+        CostMap::update_costs(self);
+    }
+
+    fn read(&self, layers: &mut Layers) {
+        layers.offset = self.info().offset();
+        layers.occupancy.clear();
+        layers.occupancy.extend_from_slice(self.occupancy_grid().data());
+        layers.costs.clear();
+        match self.costs() {
+            Some(costs) => layers.costs.extend_from_slice(costs),
+            None => (0..self.info().height()).for_each(|gy| layers.costs.extend(self.row(gy))),
+        }
+    }
+}

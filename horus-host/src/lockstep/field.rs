@@ -1,0 +1,80 @@
+use horus_core::costmap::{CostMapBuffers, FieldCell, scratch_words};
+use horus_core::prelude::{CostBuffers, CostMap, Error, OccupancyGrid, Pose2D};
+
+use super::{LockstepConfig, LockstepError};
+
+/// The core's distance field cell, one or two bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FieldWidth {
+    /// `u8`: costs reach up to 15 cells.
+    One,
+    /// `u16`: costs reach up to 255 cells.
+    Two,
+}
+
+impl FieldWidth {
+    /// The narrowest field that holds the parameters at this resolution, and how many cells their
+    /// costs above zero reach.
+    ///
+    /// # Errors
+    /// [`LockstepError::Radius`] if even two bytes do not hold them; [`LockstepError::Core`].
+    pub fn of(config: &LockstepConfig) -> Result<(Self, u32), LockstepError> {
+        match effective_radius::<u8>(config) {
+            Ok(radius) => return Ok((Self::One, radius)),
+            Err(Error::RadiusTooLarge { .. }) => {}
+            Err(error) => return Err(error.into()),
+        }
+        match effective_radius::<u16>(config) {
+            Ok(radius) => Ok((Self::Two, radius)),
+            Err(Error::RadiusTooLarge { max_cells }) => Err(LockstepError::Radius {
+                radius: config.params.inflation_radius,
+                resolution: config.resolution,
+                max_cells,
+            }),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// The Rust type's name: `u8` or `u16`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::One => "u8",
+            Self::Two => "u16",
+        }
+    }
+}
+
+/// A field cell whose tables can be made outside the core: those of a storage for no cells.
+pub(super) trait TableCell: FieldCell {
+    fn tables() -> CostMapBuffers<0, 0, Self, 0>;
+}
+
+impl TableCell for u8 {
+    fn tables() -> CostMapBuffers<0, 0, Self, 0> {
+        CostMapBuffers::<0, 0, Self, 0>::empty()
+    }
+}
+
+impl TableCell for u16 {
+    fn tables() -> CostMapBuffers<0, 0, Self, 0> {
+        CostMapBuffers::<0, 0, Self, 0>::empty()
+    }
+}
+
+/// The reach of the costs in cells, from a cost map without cells.
+fn effective_radius<F: TableCell>(config: &LockstepConfig) -> Result<u32, Error> {
+    let mut tables = F::tables();
+    let mut scratch = vec![0; most_scratch()];
+    let (cells, buffers) = tables.split();
+    let grid = OccupancyGrid::new_in(cells, 0, 0, config.resolution, Pose2D::default())?;
+    let buffers = CostBuffers {
+        scratch: &mut scratch,
+        ..buffers
+    };
+    Ok(CostMap::new_in(grid, buffers, config.params)?.effective_radius())
+}
+
+/// Scratch words that serve any radius.
+fn most_scratch() -> usize {
+    (0..=u16::MAX_RADIUS).map(scratch_words).max().unwrap_or(0)
+}

@@ -1,0 +1,110 @@
+use std::mem::{size_of, size_of_val};
+
+use horus_core::costmap::{CostMapBuffers, CostTables, bit_words, scratch_words};
+use horus_core::prelude::{CostMap, ScanModel, ScanWorkspace};
+use horus_core::storage::bitmap_words;
+use nalgebra::Vector2;
+
+use super::field::TableCell;
+use super::{FieldWidth, LockstepConfig, LockstepError, RamUse};
+
+/// All memory of the core side, allocated once and borrowed by [`Lockstep`](super::Lockstep).
+#[derive(Debug)]
+pub struct CoreStorage {
+    pub(super) cells: Vec<i8>,
+    pub(super) bits: Vec<u32>,
+    pub(super) scratch: Vec<u32>,
+    pub(super) costs: Option<Vec<u8>>,
+    pub(super) directions: Vec<Vector2<f32>>,
+    pub(super) seen: Vec<u32>,
+    pub(super) field: FieldStorage,
+    radius: u32,
+}
+
+/// Distance field and tables, of the type the parameters need.
+#[derive(Debug)]
+pub(super) enum FieldStorage {
+    One(Vec<u8>, Box<CostMapBuffers<0, 0, u8, 0>>),
+    Two(Vec<u16>, Box<CostMapBuffers<0, 0, u16, 0>>),
+}
+
+impl CoreStorage {
+    /// Memory for a map and scans of up to `beams` beams.
+    ///
+    /// # Errors
+    /// Whatever is wrong with the configuration; [`LockstepError::Memory`].
+    pub fn new(config: &LockstepConfig, beams: usize) -> Result<Self, LockstepError> {
+        config.validate()?;
+        let (width, radius) = FieldWidth::of(config)?;
+        let cells = config.cells();
+        let seen = match config.model {
+            ScanModel::Set => 0,
+            ScanModel::Accumulate { .. } => bitmap_words(config.width, config.height),
+        };
+        let field = match width {
+            FieldWidth::One => FieldStorage::One(filled(0, cells, config)?, Box::new(u8::tables())),
+            FieldWidth::Two => FieldStorage::Two(filled(0, cells, config)?, Box::new(u16::tables())),
+        };
+        Ok(Self {
+            cells: filled(0, cells, config)?,
+            bits: filled(0, bit_words(config.width, config.height), config)?,
+            scratch: filled(0, scratch_words(radius), config)?,
+            costs: config.keep_costs.then(|| filled(0, cells, config)).transpose()?,
+            directions: filled(Vector2::zeros(), beams, config)?,
+            seen: filled(0, seen, config)?,
+            field,
+            radius,
+        })
+    }
+
+    /// The type of the distance field's cells.
+    pub fn field_width(&self) -> FieldWidth {
+        match self.field {
+            FieldStorage::One(..) => FieldWidth::One,
+            FieldStorage::Two(..) => FieldWidth::Two,
+        }
+    }
+
+    /// How many cells the costs above zero reach.
+    pub fn effective_radius(&self) -> u32 {
+        self.radius
+    }
+
+    /// The memory in bytes, with that of the handles that will borrow it.
+    pub fn ram_use(&self) -> RamUse {
+        let (field, tables, map) = match &self.field {
+            FieldStorage::One(field, _) => (
+                size_of_val(&field[..]),
+                size_of::<CostTables<u8>>(),
+                size_of::<CostMap<'_, u8>>(),
+            ),
+            FieldStorage::Two(field, _) => (
+                size_of_val(&field[..]),
+                size_of::<CostTables<u16>>(),
+                size_of::<CostMap<'_, u16>>(),
+            ),
+        };
+        RamUse {
+            cells: size_of_val(&self.cells[..]),
+            field,
+            bits: size_of_val(&self.bits[..]),
+            costs: self.costs.as_ref().map_or(0, Vec::len),
+            scratch: size_of_val(&self.scratch[..]),
+            tables,
+            beams: size_of_val(&self.directions[..]),
+            seen: size_of_val(&self.seen[..]),
+            handles: map + size_of::<ScanWorkspace<'_>>(),
+        }
+    }
+}
+
+/// A vector of `len` equal elements, or an error instead of an abort.
+fn filled<T: Clone>(value: T, len: usize, config: &LockstepConfig) -> Result<Vec<T>, LockstepError> {
+    let mut elements = Vec::new();
+    elements.try_reserve_exact(len).or(Err(LockstepError::Memory {
+        width: config.width,
+        height: config.height,
+    }))?;
+    elements.resize(len, value);
+    Ok(elements)
+}
