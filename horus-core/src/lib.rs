@@ -22,5 +22,10 @@ pub mod prelude;
 pub mod storage;
 mod walk;
 
+/// The README's examples.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
+
 pub use error::Error;
 pub use nalgebra;

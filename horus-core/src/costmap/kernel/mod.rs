@@ -38,7 +38,7 @@ pub(crate) const PREFER_LANES: bool = cfg!(all(target_pointer_width = "64", not(
 
 /// `u32` words of scratch memory that recomputing a field of this radius takes.
 ///
-/// 512 words up to 15 cells, 2048 up to 31, none beyond.
+/// 512 words up to 15 cells, 2048 up to 31, none beyond: 2048 words serve every radius.
 pub const fn scratch_words(radius_cells: u32) -> usize {
     match radius_cells {
         0..=15 => bits::NEAR_WORDS,
