@@ -129,3 +129,16 @@ impl fmt::Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+/// An error unless `given` elements hold `needed`.
+pub(crate) fn require(buffer: Buffer, needed: usize, given: usize) -> Result<(), Error> {
+    if given < needed {
+        Err(Error::BufferTooSmall {
+            buffer,
+            needed,
+            given,
+        })
+    } else {
+        Ok(())
+    }
+}

@@ -17,9 +17,11 @@ mod map;
 mod params;
 mod refresh;
 mod repair;
+mod shift;
 mod steps;
 mod tables;
 mod update;
+mod work;
 
 #[cfg(test)]
 mod tests;

@@ -3,7 +3,7 @@
 
 use super::CellValue;
 use super::budget::Budget;
-use super::changes::Next;
+use super::changes::{Changes, Next};
 use super::edges::Side;
 use super::field::FieldCell;
 use super::kernel::stamp::Stamp;
@@ -11,46 +11,8 @@ use super::layer::Layer;
 use super::refresh::Refresh;
 use super::repair::Scope;
 use super::steps::BLOCK;
+use super::work::Work;
 use crate::geometry::{Bounds, CellRect};
-
-/// What an update without a budget has spent on single sources, so that it can tell when
-/// recomputing everything is cheaper. The switch cannot change a result.
-#[derive(Debug)]
-pub(super) struct Work {
-    spent: u32,
-    full: u32,
-    per_source: u32,
-}
-
-impl Work {
-    /// A full recompute costs about as much as this many field writes per cell.
-    const FULL_WRITES_PER_CELL: u32 = 6;
-    /// A source that appears writes its disc once; one that vanishes costs this many times that.
-    const INSERT: u32 = 1;
-    const REMOVE: u32 = 4;
-
-    pub(super) fn new(cells: usize, disc_cells: u32, budget: &Budget) -> Self {
-        let full = if budget.is_limited() {
-            u32::MAX
-        } else {
-            (cells as u32).saturating_mul(Self::FULL_WRITES_PER_CELL)
-        };
-        Self {
-            spent: 0,
-            full,
-            per_source: disc_cells,
-        }
-    }
-
-    fn add(&mut self, weight: u32) {
-        self.spent = self.spent.saturating_add(self.per_source.saturating_mul(weight));
-    }
-
-    /// From now on only the source bits follow; everything is recomputed at the end.
-    fn is_flooded(&self) -> bool {
-        self.spent >= self.full
-    }
-}
 
 impl<F: FieldCell> Layer<'_, F> {
     /// Applies the sources that appeared.
@@ -65,14 +27,10 @@ impl<F: FieldCell> Layer<'_, F> {
         let kept = self.costs.is_some();
         let mut cursor = self.cursors.insert;
         let finished = loop {
-            let w = match self.changes.next_from(&mut cursor, || budget.take(1)) {
-                Next::Word(w) => w,
-                Next::End => break true,
-                Next::OutOfBudget => break false,
+            let w = match next_word(&self.changes, &mut cursor, steps.word, budget) {
+                Ok(w) => w,
+                Err(finished) => break finished,
             };
-            if !budget.take(steps.word) {
-                break false;
-            }
             let (x0, gy) = self.changes.cell(w);
             let mut bits = self.changes.word(w);
             let mut settled = 0;
@@ -245,14 +203,10 @@ impl<F: FieldCell> Layer<'_, F> {
         let mut stale = Bounds::EMPTY;
         let mut cursor = self.cursors.remove;
         let finished = loop {
-            let w = match self.changes.next_from(&mut cursor, || budget.take(1)) {
-                Next::Word(w) => w,
-                Next::End => break true,
-                Next::OutOfBudget => break false,
+            let w = match next_word(&self.changes, &mut cursor, steps.word, budget) {
+                Ok(w) => w,
+                Err(finished) => break finished,
             };
-            if !budget.take(steps.word) {
-                break false;
-            }
             let (x0, gy) = self.changes.cell(w);
             let mut bits = self.changes.word(w) & self.sources.get(w).copied().unwrap_or(0);
             let mut out_of_budget = false;
@@ -370,14 +324,10 @@ impl<F: FieldCell> Layer<'_, F> {
         let steps = super::steps::Steps::new(self.tables.disc);
         let mut cursor = self.cursors.costs;
         let finished = loop {
-            let w = match self.changes.next_from(&mut cursor, || budget.take(1)) {
-                Next::Word(w) => w,
-                Next::End => break true,
-                Next::OutOfBudget => break false,
+            let w = match next_word(&self.changes, &mut cursor, steps.costs, budget) {
+                Ok(w) => w,
+                Err(finished) => break finished,
             };
-            if !budget.take(steps.costs) {
-                break false;
-            }
             let (x0, gy) = self.changes.cell(w);
             let mut bits = self.changes.word(w);
             self.changes.unmark(w, bits);
@@ -399,5 +349,20 @@ impl<F: FieldCell> Layer<'_, F> {
         };
         self.cursors.costs = cursor;
         finished
+    }
+}
+
+/// The next word of changes at or after the cursor, paid for with `visits`; an error ends the
+/// pass and tells whether it is finished.
+fn next_word(
+    changes: &Changes<'_>,
+    cursor: &mut usize,
+    visits: u32,
+    budget: &mut Budget,
+) -> Result<usize, bool> {
+    match changes.next_from(cursor, || budget.take(1)) {
+        Next::Word(w) if budget.take(visits) => Ok(w),
+        Next::Word(_) | Next::OutOfBudget => Err(false),
+        Next::End => Err(true),
     }
 }

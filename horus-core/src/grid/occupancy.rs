@@ -1,6 +1,6 @@
 use super::integrate::{self, ChangeSink};
 use super::{FREE, LaserScan, OCCUPIED, OCCUPIED_FROM, ScanModel, ScanReport, ScanWorkspace, UNKNOWN, text};
-use crate::error::{Buffer, Error};
+use crate::error::{Buffer, Error, require};
 use crate::geometry::{Bounds, CellRect, GridInfo, Pose2D};
 use crate::storage;
 
@@ -320,18 +320,5 @@ impl ChangeSink for Bounds {
 
     fn rect(&self) -> Option<CellRect> {
         Bounds::rect(self)
-    }
-}
-
-/// An error unless `given` elements hold `needed`.
-pub(crate) fn require(buffer: Buffer, needed: usize, given: usize) -> Result<(), Error> {
-    if given < needed {
-        Err(Error::BufferTooSmall {
-            buffer,
-            needed,
-            given,
-        })
-    } else {
-        Ok(())
     }
 }

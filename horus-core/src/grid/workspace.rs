@@ -1,8 +1,7 @@
 use nalgebra::Vector2;
 
 use super::LaserScan;
-use super::occupancy::require;
-use crate::error::{Buffer, Error};
+use crate::error::{Buffer, Error, require};
 use crate::math;
 
 /// What integrating scans of one lidar needs beside the grid, over caller-provided storage: the
