@@ -90,6 +90,19 @@ pub enum Parameter {
     InscribedRadius,
 }
 
+impl Parameter {
+    /// The field and its range in words.
+    const fn rule(self) -> &'static str {
+        match self {
+            Self::InflationRadius => "inflation_radius must be finite and not negative",
+            Self::CostScalingFactor => "cost_scaling_factor must be finite and not negative",
+            Self::LethalCost => "lethal_cost must be 2 to 254",
+            Self::LethalThreshold => "lethal_threshold must be 1 to 100",
+            Self::InscribedRadius => "inscribed_radius must be finite and not negative",
+        }
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -113,7 +126,7 @@ impl fmt::Display for Error {
             Self::InvalidModel => {
                 f.write_str("a scan model needs hit >= 0, miss <= 0 and 0 <= min <= max <= 100")
             }
-            Self::InvalidParameter(p) => write!(f, "cost map parameter {p:?} is out of range"),
+            Self::InvalidParameter(p) => f.write_str(p.rule()),
             Self::RadiusTooLarge { max_cells } => {
                 write!(
                     f,

@@ -118,8 +118,8 @@ fn maps_that_cannot_be() {
         (&["--resolution", "NaN"], "resolution NaN m"),
         (&["--resolution", "0"], "resolution 0 m"),
         (&["--resolution", "-0.05"], "resolution -0.05 m"),
-        (&["--radius", "-1"], "InflationRadius"),
-        (&["--radius", "inf"], "InflationRadius"),
+        (&["--radius", "-1"], "inflation_radius"),
+        (&["--radius", "inf"], "inflation_radius"),
         (&["--scaling", "NaN"], "CostScalingFactor"),
         (
             &["--inscribed", "-1", "--decay", "exponential"],

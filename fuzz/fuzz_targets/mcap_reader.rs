@@ -1,0 +1,9 @@
+//! Arbitrary, built and damaged MCAP logs: an error or messages, in bounded memory.
+#![no_main]
+use horus_fuzz::mcap_reader::{Counting, ReaderCase, run};
+use libfuzzer_sys::fuzz_target;
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+fuzz_target!(|case: ReaderCase| run(&case));

@@ -1,0 +1,19 @@
+//! What the fuzz targets share: inputs derived from bytes, and core and std version side by side.
+//!
+//! | module | what it is |
+//! |---|---|
+//! | [`number`] | floats that are mostly sensible and sometimes anything |
+//! | [`sequence`] | sequences that are as long as the input allows, or short |
+//! | [`scene`] | sizes, poses, scans, scan models |
+//! | [`compare`] | what both sides must agree on |
+//! | [`grid`] | target `grid` |
+//! | [`costmap`] | targets `costmap_u8` and `costmap_u16` |
+//! | [`mcap_reader`] | target `mcap_reader` |
+
+pub mod compare;
+pub mod costmap;
+pub mod grid;
+pub mod mcap_reader;
+pub mod number;
+pub mod scene;
+pub mod sequence;
