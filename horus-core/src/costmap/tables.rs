@@ -15,6 +15,8 @@ pub struct CostTables<F: FieldCell> {
     inflated: F::Costs,
     /// Inflated costs from here on overwrite an unknown cell; 256: none does.
     overwrites_unknown: u16,
+    /// Unknown cells are sources; if not, one at distance 0 has just come into view.
+    unknown_inflates: bool,
     /// Bytes of cell values that are sources: `byte - source_from <= source_span`, wrapping.
     source_from: u8,
     source_span: u8,
@@ -28,6 +30,7 @@ impl<F: FieldCell> CostTables<F> {
         base: [0; 256],
         inflated: F::Costs::EMPTY,
         overwrites_unknown: 0,
+        unknown_inflates: false,
         source_from: 0,
         source_span: 0,
         disc: Disc { reach: 0, radius: 0 },
@@ -44,7 +47,8 @@ impl<F: FieldCell> CostTables<F> {
         let limit = (F::MAX_RADIUS + 1) * (F::MAX_RADIUS + 1);
         let end = (1..=limit).find(|&squared| params.inflated_cost(squared, resolution) == 0);
         match end {
-            Some(end) => Ok(Disc::new(end - 1)),
+            // The two highest field values are no distances, and no sum of two squares either.
+            Some(end) => Ok(Disc::new((end - 1).min(F::STALE.squared() - 1))),
             None => Err(Error::RadiusTooLarge {
                 max_cells: F::MAX_RADIUS,
             }),
@@ -64,6 +68,7 @@ impl<F: FieldCell> CostTables<F> {
             (Decay::Exponential, false) => 253,
             (Decay::Exponential, true) => 1,
         };
+        self.unknown_inflates = params.unknown_inflates;
         // Known values are the bytes 0..=127, unknown ones 128..=255.
         self.source_from = params.lethal_threshold as u8;
         self.source_span = if params.unknown_inflates { 255 } else { 127 } - self.source_from;
@@ -75,6 +80,7 @@ impl<F: FieldCell> CostTables<F> {
         for (byte, base) in self.base.iter_mut().enumerate() {
             *base = byte as u8;
         }
+        self.unknown_inflates = unknown_inflates;
         self.source_from = 254;
         self.source_span = u8::from(unknown_inflates);
     }
@@ -113,7 +119,9 @@ impl<F: FieldCell> CostTables<F> {
         let inflated = self.inflated.cost(field.squared());
         if base != super::UNKNOWN_COST {
             base.max(inflated)
-        } else if u16::from(inflated) >= self.overwrites_unknown {
+        } else if u16::from(inflated) >= self.overwrites_unknown
+            && (field != F::ZERO || self.unknown_inflates)
+        {
             inflated
         } else {
             base

@@ -181,13 +181,16 @@ impl GridInfo {
         }
         let (lx, ly) = self.local(pose.x, pose.y);
         let shift = |l: f32, offset: i32, size: u32| {
-            math::rint(l / self.resolution - (offset as f32 + size as f32 * 0.5)) as i32
+            let cells = math::rint(l / self.resolution - (offset as f32 + size as f32 * 0.5));
+            // Also false for NaN: coordinates that overflowed.
+            (cells.abs() < 2.0 * CELL_LIMIT as f32).then_some(cells as i32)
         };
-        let shift = [
-            shift(lx, self.offset[0], self.width),
-            shift(ly, self.offset[1], self.height),
-        ];
-        self.moved(shift).map(|_| shift).ok_or(Error::OffsetOutOfRange)
+        let along_x = shift(lx, self.offset[0], self.width);
+        let along_y = shift(ly, self.offset[1], self.height);
+        let shift = along_x.zip(along_y).map(|(dx, dy)| [dx, dy]);
+        shift
+            .filter(|shift| self.moved(*shift).is_some())
+            .ok_or(Error::OffsetOutOfRange)
     }
 
     fn moved(&self, shift: [i32; 2]) -> Option<[i32; 2]> {

@@ -56,7 +56,10 @@ impl CostMap {
         for gy in 0..grid.height {
             for gx in 0..grid.width {
                 let is_edge = grid.index(gx, gy).is_some_and(|i| on_edge[i]);
-                if is_edge || covers(&edges, gx as f32 + 0.5, gy as f32 + 0.5) {
+                // A centre inside lies between the vertices' cells: where f32 no longer resolves cells, what
+                // `covers` says elsewhere is noise.
+                let between = is_between(&vertices, [gx, gy]);
+                if is_edge || (between && covers(&edges, gx as f32 + 0.5, gy as f32 + 0.5)) {
                     match self.cost_of_cell(gx, gy) {
                         Some(NO_INFORMATION) => result.touches_unknown = true,
                         cost => result.cost = result.cost.max(cost),
@@ -86,6 +89,15 @@ fn vertices(frame: &GridFrame, pose: Pose2D, polygon: &[(f32, f32)]) -> Result<V
         })
     };
     polygon.iter().enumerate().map(vertex).collect()
+}
+
+/// Whether a cell lies in the bounding box of the vertices' cells.
+fn is_between(vertices: &[Vertex], cell: [u32; 2]) -> bool {
+    (0..2).all(|axis| {
+        let at = i64::from(cell[axis]);
+        vertices.iter().any(|v| i64::from(v.cell[axis]) <= at)
+            && vertices.iter().any(|v| i64::from(v.cell[axis]) >= at)
+    })
 }
 
 /// Even-odd rule: whether a ray from (`x`, `y`) towards +x crosses an odd number of edges.

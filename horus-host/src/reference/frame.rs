@@ -53,7 +53,11 @@ impl GridFrame {
         let l = self.local(p);
         let axis = |axis: usize| {
             let centre = self.offset[axis] as f32 + size[axis] as f32 * 0.5;
-            let shift = libm::rintf(l[axis] / self.resolution - centre) as i32;
+            let shift = libm::rintf(l[axis] / self.resolution - centre);
+            if shift.is_nan() || shift.abs() >= 2_147_483_648.0 {
+                return None;
+            }
+            let shift = shift as i32;
             let offset = self.offset[axis].checked_add(shift)?;
             (offset.unsigned_abs() <= CELL_LIMIT).then_some((shift, offset))
         };
