@@ -173,7 +173,7 @@ fn bad_configurations_are_refused_in_words() {
         lethal_cost: 1,
         ..CostParams::default()
     };
-    assert!(error(LockstepConfig { params, ..small() }).contains("LethalCost"));
+    assert!(error(LockstepConfig { params, ..small() }).contains("lethal_cost"));
 }
 
 #[test]
