@@ -123,9 +123,9 @@ fn maps_that_cannot_be() {
         (&["--scaling", "NaN"], "CostScalingFactor"),
         (
             &["--inscribed", "-1", "--decay", "exponential"],
-            "InscribedRadius",
+            "inscribed_radius",
         ),
-        (&["--lethal-cost", "255"], "LethalCost"),
+        (&["--lethal-cost", "255"], "lethal_cost"),
         (&["--lethal-threshold", "-3"], "LethalThreshold"),
         (
             &["--radius", "20", "--decay", "exponential", "--scaling", "0.1"],
