@@ -120,13 +120,13 @@ fn maps_that_cannot_be() {
         (&["--resolution", "-0.05"], "resolution -0.05 m"),
         (&["--radius", "-1"], "inflation_radius"),
         (&["--radius", "inf"], "inflation_radius"),
-        (&["--scaling", "NaN"], "CostScalingFactor"),
+        (&["--scaling", "NaN"], "cost_scaling_factor"),
         (
             &["--inscribed", "-1", "--decay", "exponential"],
             "inscribed_radius",
         ),
         (&["--lethal-cost", "255"], "lethal_cost"),
-        (&["--lethal-threshold", "-3"], "LethalThreshold"),
+        (&["--lethal-threshold", "-3"], "lethal_threshold"),
         (
             &["--radius", "20", "--decay", "exponential", "--scaling", "0.1"],
             "beyond 255 cells",
