@@ -62,7 +62,7 @@ pub enum Buffer {
     Cells,
     /// The distance field, one per cell.
     Field,
-    /// Source and change bits, see [`CostMap::bit_words`](crate::costmap::bit_words).
+    /// Source and change bits, see [`bit_words`](crate::costmap::bit_words).
     Bits,
     /// Scratch words, see [`scratch_words`](crate::costmap::scratch_words).
     Scratch,
@@ -70,7 +70,7 @@ pub enum Buffer {
     Costs,
     /// Beam directions, one per beam.
     Directions,
-    /// One bit per cell for scans, see [`bitmap_words`](crate::storage::bitmap_words).
+    /// One bit per cell for accumulating scans: a word per 32 cells.
     Seen,
 }
 

@@ -165,8 +165,8 @@ impl<'a, F: FieldCell> CostMap<'a, F> {
     }
 
     /// The smallest budget, S(R): the largest single step of an update, in cell visits. For an
-    /// effective radius of R <= 15 cells and n = 2 R + 1 it is
-    /// `3 + max(2 + 5 n^2, 2 + 6 n^2 + 32 n + 4 (n + 2 R), 5120 + 4 (32 + 2 R))`, a few more
+    /// effective radius of 1 <= R <= 15 cells and n = 2 R + 1 it is
+    /// `3 + max(2 + 5 n^2, 2 + 6 n^2 + 32 n + 6 (n + 2 R), 5120 + 6 (32 + 2 R))`, a few more
     /// bitmap words beyond.
     pub fn min_budget(&self) -> u32 {
         self.layer.steps().largest()

@@ -318,10 +318,10 @@ impl<F: FieldCell> Layer<'_, F> {
         budget: &mut Budget,
         changed: &mut Bounds,
     ) -> bool {
+        let steps = self.steps();
         let Some(costs) = self.costs.as_deref_mut() else {
             return true;
         };
-        let steps = super::steps::Steps::new(self.tables.disc);
         let mut cursor = self.cursors.costs;
         let finished = loop {
             let w = match next_word(&self.changes, &mut cursor, steps.costs, budget) {
