@@ -2,6 +2,8 @@
 
 use core::fmt::Debug;
 
+use super::words;
+
 /// Largest squared distance that the near kernel tables hold: offsets up to 15 cells.
 pub(crate) const NEAR_LIMIT: u32 = 255;
 /// Largest squared distance that the middle kernel tables hold: offsets up to 31 cells.
@@ -32,6 +34,9 @@ pub trait FieldCell: Copy + Debug + Eq + Ord + sealed::Sealed + 'static {
     /// Must be recomputed before anyone reads it.
     #[doc(hidden)]
     const STALE: Self;
+    /// Squared distances below this can be compared in fewer steps.
+    #[doc(hidden)]
+    const NARROW: u32 = 0;
     /// Saturates to [`NONE`](Self::NONE).
     #[doc(hidden)]
     fn new(squared: u32) -> Self;
@@ -45,6 +50,41 @@ pub trait FieldCell: Copy + Debug + Eq + Ord + sealed::Sealed + 'static {
     /// [`MAX_RADIUS`](Self::MAX_RADIUS) + 64.
     #[doc(hidden)]
     fn squares_from(from: i32) -> &'static [Self];
+
+    /// Lowers each cell of two rows (of one length, or one empty) to its column's square plus
+    /// `across`. `WIDE` unless all sums are below [`NARROW`](Self::NARROW).
+    #[doc(hidden)]
+    #[inline(always)]
+    fn lower<const WIDE: bool>(rows: [&mut [Self]; 2], squares: &[Self], across: u32) {
+        let across = Self::new(across);
+        for row in rows {
+            for (cell, square) in row.iter_mut().zip(squares) {
+                *cell = (*cell).min(square.wrapping_add(across));
+            }
+        }
+    }
+
+    /// Marks each cell stale that equals its column's square plus `across`.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mark_stale(rows: [&mut [Self]; 2], squares: &[Self], across: u32) {
+        let across = Self::new(across);
+        for row in rows {
+            for (cell, square) in row.iter_mut().zip(squares) {
+                if *cell == square.wrapping_add(across) {
+                    *cell = Self::STALE;
+                }
+            }
+        }
+    }
+
+    /// The stale cells of up to 32, a bit each.
+    #[doc(hidden)]
+    #[inline]
+    fn stale_bits(row: &[Self]) -> u32 {
+        let bit = |(lane, cell): (usize, &Self)| u32::from(*cell == Self::STALE) << lane;
+        row.iter().enumerate().map(bit).fold(0, |bits, bit| bits | bit)
+    }
 }
 
 impl FieldCell for u8 {
@@ -53,6 +93,7 @@ impl FieldCell for u8 {
     const ZERO: Self = 0;
     const NONE: Self = 255;
     const STALE: Self = 254;
+    const NARROW: u32 = 128;
 
     #[inline]
     fn new(squared: u32) -> Self {
@@ -88,6 +129,21 @@ impl FieldCell for u8 {
             squares
         };
         TABLE.get((CENTRE as i32 + from) as usize..).unwrap_or_default()
+    }
+
+    #[inline(always)]
+    fn lower<const WIDE: bool>(rows: [&mut [Self]; 2], squares: &[Self], across: u32) {
+        words::lower::<WIDE>(rows, squares, across as u8);
+    }
+
+    #[inline(always)]
+    fn mark_stale(rows: [&mut [Self]; 2], squares: &[Self], across: u32) {
+        words::mark(rows, squares, across as u8, Self::STALE);
+    }
+
+    #[inline]
+    fn stale_bits(row: &[Self]) -> u32 {
+        words::equal_bits(row, Self::STALE)
     }
 }
 

@@ -52,6 +52,13 @@ pub(crate) struct Cursors {
 }
 
 impl Cursors {
+    /// Nothing has changed: every pass starts at the first word to come.
+    pub(super) const END: Self = Self {
+        insert: usize::MAX,
+        remove: usize::MAX,
+        costs: usize::MAX,
+    };
+
     /// The word has a new change.
     #[inline]
     fn back_to(&mut self, word: usize) {
@@ -227,6 +234,9 @@ impl<'a, F: FieldCell> Layer<'a, F> {
             && self.repair_edges(values, budget, &mut changed)
             && self.remove(values, budget, &mut work, &mut changed)
             && self.write_costs(values, budget, &mut changed);
+        if self.changes.count() == 0 {
+            self.cursors = Cursors::END;
+        }
         let whole = CellRect {
             x0: 0,
             y0: 0,

@@ -18,9 +18,11 @@ mod params;
 mod refresh;
 mod repair;
 mod shift;
+mod stale;
 mod steps;
 mod tables;
 mod update;
+mod words;
 mod work;
 
 #[cfg(test)]

@@ -12,8 +12,10 @@ use crate::storage::Bitmap;
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Scope {
     All,
-    /// Those marked stale.
-    Stale,
+    /// Those marked stale; with one source gone, the row it stood in.
+    Stale {
+        around: Option<u32>,
+    },
     /// Those along an edge whose nearest source may have left the window, or that came into view.
     Edge(Side, Edge),
 }
@@ -44,6 +46,15 @@ impl Scope {
             });
         }
         Need::at_least(lanes)
+    }
+
+    /// No cell of row `gy` that must be recomputed has a squared distance below the square of
+    /// this: it had a source that far away or farther, and now has one farther still.
+    fn least(self, gy: u32) -> u32 {
+        match self {
+            Self::Stale { around: Some(source) } => gy.abs_diff(source),
+            _ => 0,
+        }
     }
 
     /// True if every row needs the same.
@@ -90,7 +101,8 @@ impl<V: CellValue, F: FieldCell> Repair<'_, '_, V, F> {
             if !self.scope.is_uniform() {
                 need = self.scope.need(x0, gy, width, height);
             }
-            let written = kernel.row(self.sources, gy as i32, &need, row);
+            let least = self.scope.least(gy);
+            let written = kernel.row(self.sources, gy as i32, (&need, least), row);
             self.refresh.cells(row, x0, gy, written);
         }
     }

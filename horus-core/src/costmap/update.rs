@@ -10,6 +10,7 @@ use super::kernel::stamp::Stamp;
 use super::layer::Layer;
 use super::refresh::Refresh;
 use super::repair::Scope;
+use super::stale::Stale;
 use super::steps::BLOCK;
 use super::work::Work;
 use crate::geometry::{Bounds, CellRect};
@@ -200,7 +201,7 @@ impl<F: FieldCell> Layer<'_, F> {
     ) -> bool {
         let steps = self.steps();
         let kept = self.costs.is_some();
-        let mut stale = Bounds::EMPTY;
+        let mut stale = Stale::default();
         let mut cursor = self.cursors.remove;
         let finished = loop {
             let w = match next_word(&self.changes, &mut cursor, steps.word, budget) {
@@ -248,67 +249,6 @@ impl<F: FieldCell> Layer<'_, F> {
         }
         self.cursors.remove = cursor;
         finished
-    }
-
-    /// Marks the cells whose nearest source may have been this one.
-    fn mark_stale(&mut self, gx: u32, gy: u32, stale: &mut Bounds) {
-        let size = (self.width, self.height);
-        let rect = Stamp::MarkStale.disc(self.field, size, self.tables.disc, &self.tables.rows, (gx, gy));
-        for strip in rect.x0 / 32..=(rect.x1 - 1) / 32 {
-            if let Some([first, end]) = self.stale_rows.get_mut(strip as usize) {
-                *first = if *end == 0 { rect.y0 } else { rect.y0.min(*first) };
-                *end = rect.y1.max(*end);
-            }
-        }
-        stale.add_rect(rect);
-    }
-
-    /// Recomputes the cells marked stale.
-    fn repair_stale<V: CellValue>(&mut self, stale: &mut Bounds, values: &[V], changed: &mut Bounds) {
-        let Some(rect) = core::mem::replace(stale, Bounds::EMPTY).rect() else {
-            return;
-        };
-        let strips = rect.x0 / 32..rect.x1.div_ceil(32);
-        if rect.width() <= 32 {
-            for rows in self
-                .stale_rows
-                .iter_mut()
-                .take(strips.end as usize)
-                .skip(strips.start as usize)
-            {
-                *rows = [0; 2];
-            }
-            self.repair(rect, Scope::Stale, values, changed);
-            return;
-        }
-        for strip in strips {
-            let Some([y0, y1]) = self.stale_rows.get_mut(strip as usize).map(core::mem::take) else {
-                return;
-            };
-            let rect = CellRect {
-                x0: strip * 32,
-                y0,
-                x1: self.width.min(strip * 32 + 32),
-                y1,
-            };
-            if y1 != 0 {
-                self.repair(rect, Scope::Stale, values, changed);
-            }
-        }
-    }
-
-    /// So much changed that recomputing everything is cheaper; the sources are up to date.
-    fn repair_all<V: CellValue>(&mut self, values: &[V], changed: &mut Bounds) {
-        self.stale_rows.fill([0; 2]);
-        for x0 in (0..self.width).step_by(32) {
-            let rect = CellRect {
-                x0,
-                y0: 0,
-                x1: self.width.min(x0 + 32),
-                y1: self.height,
-            };
-            self.repair(rect, Scope::All, values, changed);
-        }
     }
 
     /// Writes the kept costs of the cells whose values changed.

@@ -23,6 +23,17 @@ static MIDDLE: [u32; MIDDLE_PAIRS] = pairs(32, MIDDLE_WORDS as u32);
 pub(crate) type Near<'a> = Bits<'a, 16, NEAR_WORDS>;
 pub(crate) type Middle<'a> = Bits<'a, 32, MIDDLE_WORDS>;
 
+/// For every least distance in cells, the first pair that is not nearer.
+static FIRST: [u16; 32] = {
+    let mut first = [0; 32];
+    let mut cells = 1;
+    while cells < 32 {
+        first[cells] = count_pairs(cells as u32 * cells as u32 - 1) as u16;
+        cells += 1;
+    }
+    first
+};
+
 /// The number of pairs dx, dy >= 0 with dx^2 + dy^2 <= limit.
 const fn count_pairs(limit: u32) -> usize {
     let (mut n, mut dx) = (0, 0);
@@ -117,17 +128,17 @@ impl<'a, const STRIDE: usize, const WORDS: usize> Bits<'a, STRIDE, WORDS> {
         // Only bits within the radius count.
         let in_reach = here != 0 || (left >> 1 >> (31 - radius)) != 0 || right & low_bits(radius) != 0;
         if !in_reach {
-            for word in words.iter_mut().take(radius as usize + 1) {
-                *word = 0;
-            }
+            words.fill(0);
             return;
         }
         self.occupied = gy;
         let mut within = here;
-        for (dx, word) in (0..=radius).zip(words) {
-            if dx > 0 {
-                within |= here << dx | left >> (32 - dx) | here >> dx | right << (32 - dx);
-            }
+        let Some((first, words)) = words.split_first_mut() else {
+            return;
+        };
+        *first = within;
+        for (dx, word) in (1..radius + 1).zip(words) {
+            within |= here << dx | left >> (32 - dx) | here >> dx | right << (32 - dx);
             *word = within;
         }
     }
@@ -155,6 +166,13 @@ const fn offsets(dx: u32, dy: u32, stride: u32, words: u32) -> u32 {
     (dy * stride + dx) | ((words + dx - dy * stride) % words) << 16
 }
 
+/// The squared distance of a pair.
+#[inline(always)]
+fn squared<F: FieldCell>(pair: u32, stride: usize) -> F {
+    let (dx, dy) = ((pair & 0xffff) % stride as u32, (pair & 0xffff) / stride as u32);
+    F::new(dx * dx + dy * dy)
+}
+
 impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'_, STRIDE, WORDS> {
     const LANES: u32 = 32;
 
@@ -168,7 +186,7 @@ impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'
                 self.row(
                     sources,
                     gy,
-                    &need,
+                    (&need, 0),
                     row.get_mut(x0 as usize..x1).unwrap_or_default(),
                 );
             }
@@ -181,7 +199,7 @@ impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'
         self.occupied = i32::MIN;
     }
 
-    fn row(&mut self, sources: Bitmap<'_>, gy: i32, need: &Need<F>, row: &mut [F]) -> u32 {
+    fn row(&mut self, sources: Bitmap<'_>, gy: i32, (need, least): (&Need<F>, u32), row: &mut [F]) -> u32 {
         let mask = need.mask(row);
         if mask == 0 {
             return 0;
@@ -201,16 +219,25 @@ impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'
         if rest == 0 {
             return mask;
         }
-        for &pair in self.pairs {
-            let found = self.pair(base, pair) & rest;
-            if found != 0 {
-                rest ^= found;
-                let (dx, dy) = ((pair & 0xffff) % STRIDE as u32, (pair & 0xffff) / STRIDE as u32);
-                write(row, found, F::new(dx * dx + dy * dy));
-                if rest == 0 {
-                    break;
-                }
+        let first = FIRST.get(least as usize).copied().map_or(0, usize::from);
+        let pairs = self.pairs.get(first..).unwrap_or_default();
+        let (twos, last) = pairs.as_chunks();
+        for &[one, two] in twos {
+            // Most find nothing: looked at two at a time.
+            let (in_one, in_two) = (self.pair(base, one) & rest, self.pair(base, two));
+            if (in_one | in_two) & rest == 0 {
+                continue;
             }
+            write(row, in_one, squared(one, STRIDE));
+            rest ^= in_one;
+            write(row, in_two & rest, squared(two, STRIDE));
+            rest &= !in_two;
+            if rest == 0 {
+                return mask;
+            }
+        }
+        for &pair in last {
+            write(row, self.pair(base, pair) & rest, squared(pair, STRIDE));
         }
         mask
     }

@@ -130,7 +130,7 @@ impl<F: FieldCell, const LANES: usize, const ROWS: usize> Kernel<F> for Lanes<F,
         self.next = i32::MIN;
     }
 
-    fn row(&mut self, sources: Bitmap<'_>, gy: i32, need: &Need<F>, row: &mut [F]) -> u32 {
+    fn row(&mut self, sources: Bitmap<'_>, gy: i32, (need, _): (&Need<F>, u32), row: &mut [F]) -> u32 {
         let Some(from) = need.from.first_chunk::<LANES>() else {
             return 0;
         };

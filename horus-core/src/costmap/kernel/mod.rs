@@ -28,8 +28,8 @@ pub(crate) trait Kernel<F> {
 
     /// Writes the exact field value of the cells of `row` that need it; `row` has at most
     /// [`LANES`](Self::LANES) cells, starts at column `x0` of row `gy`, and rows come in ascending
-    /// order. Returns a bit per cell: set for all cells that needed it, perhaps for others.
-    fn row(&mut self, sources: Bitmap<'_>, gy: i32, need: &Need<F>, row: &mut [F]) -> u32;
+    /// order. None of them is nearer to a source than `least` cells. Returns a bit per cell: set for all cells that needed it, perhaps for others.
+    fn row(&mut self, sources: Bitmap<'_>, gy: i32, needed: (&Need<F>, u32), row: &mut [F]) -> u32;
 }
 
 /// The kernel that is faster on this machine: vector units come with 64-bit cores. A build with

@@ -35,6 +35,10 @@ impl<F: FieldCell> Need<F> {
         self.to == F::NONE
     }
 
+    fn is_stale(&self) -> bool {
+        self.from[0] == F::STALE
+    }
+
     #[inline]
     pub(crate) fn lane(&self, field: F, from: F) -> bool {
         from <= field && field <= self.to
@@ -45,6 +49,9 @@ impl<F: FieldCell> Need<F> {
     pub(crate) fn mask(&self, row: &[F]) -> u32 {
         if self.is_all() {
             return low_bits(row.len() as u32);
+        }
+        if self.is_stale() {
+            return F::stale_bits(row);
         }
         let mut mask = 0;
         for (lane, (&field, &from)) in row.iter().zip(&self.from).enumerate() {
