@@ -68,8 +68,8 @@ pub enum Buffer {
     Scratch,
     /// Kept cost bytes, one per cell.
     Costs,
-    /// Beam directions, one per beam.
-    Directions,
+    /// Beam slots, one per beam.
+    Beams,
     /// One bit per cell for accumulating scans: a word per 32 cells.
     Seen,
 }

@@ -6,5 +6,6 @@ pub use crate::costmap::{
 pub use crate::error::Error;
 pub use crate::geometry::{CellRect, GridInfo, Pose2D};
 pub use crate::grid::{
-    LaserScan, OccupancyGrid, ScanBuffers, ScanModel, ScanReport, ScanWorkspace, StaticOccupancyGrid,
+    BeamSlot, LaserScan, OccupancyGrid, ScanBuffers, ScanModel, ScanReport, ScanWorkspace,
+    StaticOccupancyGrid,
 };

@@ -2,7 +2,6 @@
 
 use horus_core::costmap::{CostTables, bit_words, scratch_words};
 use horus_core::error::{Buffer, Parameter};
-use horus_core::nalgebra::Vector2;
 use horus_core::prelude::*;
 
 const SIDE: u32 = 20;
@@ -147,8 +146,8 @@ fn a_failed_reset_changes_nothing() {
 fn points_poses_and_scans_that_are_no_numbers() {
     let mut cells = [0i8; 9];
     let mut grid = OccupancyGrid::new_in(&mut cells[..], 3, 3, 1.0, Pose2D::default()).unwrap();
-    let (mut directions, ranges) = ([Vector2::zeros(); 4], [1.0; 4]);
-    let mut lidar = ScanWorkspace::new_in(&mut directions, &mut []);
+    let (mut slots, ranges) = ([BeamSlot::EMPTY; 4], [1.0; 4]);
+    let mut lidar = ScanWorkspace::new_in(&mut slots, &mut []);
     let good = LaserScan {
         angle_min: 0.0,
         angle_increment: 0.1,
@@ -226,8 +225,8 @@ fn points_poses_and_scans_that_are_no_numbers() {
 fn scans_that_do_not_fit() {
     let mut cells = [0i8; 100];
     let mut grid = OccupancyGrid::new_in(&mut cells[..], 10, 10, 1.0, Pose2D::default()).unwrap();
-    let (mut directions, mut seen) = ([Vector2::zeros(); 4], [0; 3]);
-    let mut lidar = ScanWorkspace::new_in(&mut directions, &mut seen);
+    let (mut slots, mut seen) = ([BeamSlot::EMPTY; 4], [0; 3]);
+    let mut lidar = ScanWorkspace::new_in(&mut slots, &mut seen);
     let mut run = |ranges: &[f32], model| {
         let scan = LaserScan {
             angle_min: 0.0,
@@ -238,12 +237,12 @@ fn scans_that_do_not_fit() {
         };
         grid.integrate_scan(&scan, Pose2D::new(5.0, 5.0, 0.0), model, &mut lidar)
     };
-    let directions = Error::BufferTooSmall {
-        buffer: Buffer::Directions,
+    let beams = Error::BufferTooSmall {
+        buffer: Buffer::Beams,
         needed: 5,
         given: 4,
     };
-    assert_eq!(run(&[1.0; 5], ScanModel::Set), Err(directions));
+    assert_eq!(run(&[1.0; 5], ScanModel::Set), Err(beams));
     let seen = Error::BufferTooSmall {
         buffer: Buffer::Seen,
         needed: 4,

@@ -101,7 +101,7 @@ pub const FAR: u32 = 100;
 pub type NearBuffers = CostMapBuffers<{ (NEAR * NEAR) as usize }, { bit_words(NEAR, NEAR) }>;
 /// Storage of a two-byte drive.
 pub type FarBuffers = CostMapBuffers<{ (FAR * FAR) as usize }, { bit_words(FAR, FAR) }, u16, 2048>;
-/// Beam directions, and bits for accumulating scans.
+/// Beam slots, and bits for accumulating scans.
 pub type LidarBuffers = ScanBuffers<BEAMS, { (NEAR * NEAR).div_ceil(32) as usize }>;
 
 /// Runs one scenario on `side` x `side` cells and shows every line of its report.

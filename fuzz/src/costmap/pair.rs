@@ -1,6 +1,5 @@
-use horus_core::nalgebra::Vector2;
 use horus_core::prelude::{
-    CellRect, CostBuffers, CostMap, CostParams, Error, OccupancyGrid, Pose2D, ScanWorkspace,
+    BeamSlot, CellRect, CostBuffers, CostMap, CostParams, Error, OccupancyGrid, Pose2D, ScanWorkspace,
 };
 use horus_core::storage::bitmap_words;
 use horus_host::reference;
@@ -30,7 +29,7 @@ pub struct CostPair<'a, F: Width> {
     moved: bool,
     /// The std version's costs of the present cells, where they have been computed.
     expected: Option<Vec<u8>>,
-    directions: Vec<Vector2<f32>>,
+    beams: Vec<BeamSlot>,
     seen: Vec<u32>,
 }
 
@@ -63,7 +62,7 @@ impl<'a, F: Width> CostPair<'a, F> {
             scratch,
             moved: false,
             expected: None,
-            directions: vec![Vector2::zeros(); BEAMS],
+            beams: vec![BeamSlot::EMPTY; BEAMS],
             seen,
         };
         match &case.start {
@@ -194,7 +193,7 @@ impl<'a, F: Width> CostPair<'a, F> {
         let origin = self.core.info().origin();
         let (scan, sensor) = scan.std(self.std.resolution, (origin.x, origin.y));
         let (core_model, std_model) = model.both();
-        let mut workspace = ScanWorkspace::new_in(&mut self.directions, &mut self.seen);
+        let mut workspace = ScanWorkspace::new_in(&mut self.beams, &mut self.seen);
         let core = self
             .core
             .integrate_scan(&core_scan(&scan), sensor, core_model, &mut workspace);

@@ -1,5 +1,4 @@
-use horus_core::nalgebra::Vector2;
-use horus_core::prelude::{Error, OccupancyGrid, Pose2D, ScanModel, ScanWorkspace};
+use horus_core::prelude::{BeamSlot, Error, OccupancyGrid, Pose2D, ScanModel, ScanWorkspace};
 use horus_host::reference;
 
 use super::GridOp;
@@ -15,7 +14,7 @@ pub struct GridPair {
     std: reference::OccupancyGrid,
     /// The pose given at construction.
     origin: Pose2D,
-    directions: Vec<Vector2<f32>>,
+    beams: Vec<BeamSlot>,
     seen: Vec<u32>,
 }
 
@@ -34,7 +33,7 @@ impl GridPair {
             core: core.expect("a grid without cells is legal"),
             std: reference::OccupancyGrid::new(0, 0, 0.05, std_pose(origin)),
             origin,
-            directions: vec![Vector2::zeros(); BEAMS],
+            beams: vec![BeamSlot::EMPTY; BEAMS],
             seen: vec![u32::MAX; ROOM / 32],
         }
     }
@@ -128,7 +127,7 @@ impl GridPair {
         } else {
             needed
         };
-        let mut workspace = ScanWorkspace::new_in(&mut self.directions, &mut self.seen[..given]);
+        let mut workspace = ScanWorkspace::new_in(&mut self.beams, &mut self.seen[..given]);
         let core = self
             .core
             .integrate_scan(&core_scan(&scan), sensor, core_model, &mut workspace);

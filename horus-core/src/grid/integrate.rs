@@ -4,7 +4,7 @@ use nalgebra::Vector2;
 
 use super::scan::Beam;
 use super::workspace::Prepared;
-use super::{FREE, LaserScan, OCCUPIED, ScanModel, ScanReport, ScanWorkspace, UNKNOWN};
+use super::{BeamSlot, FREE, LaserScan, OCCUPIED, ScanModel, ScanReport, ScanWorkspace, UNKNOWN};
 use crate::error::Error;
 use crate::geometry::{CellRect, GridInfo, Pose2D};
 use crate::math;
@@ -43,14 +43,16 @@ pub(crate) fn integrate(
         ScanModel::Set => 0,
         ScanModel::Accumulate { .. } => info.cells().div_ceil(32),
     };
-    let Prepared { directions, seen } = workspace.prepare(scan, words)?;
-    let beams = Beams {
+    let Prepared { slots, seen } = workspace.prepare(scan, words)?;
+    let mut beams = Beams {
         info,
         scan,
-        directions,
+        slots,
+        start: info.world_to_cell(sensor.x, sensor.y),
         sensor,
         cos_sin: math::cos_sin(sensor.theta),
     };
+    beams.find_hits();
     let (hits, misses) = match model {
         ScanModel::Set => set(cells, &beams, sink),
         ScanModel::Accumulate { hit, miss, min, max } => {
@@ -61,7 +63,7 @@ pub(crate) fn integrate(
             accumulate(cells, &beams, (hit, miss, step), seen, sink)
         }
     };
-    let ignored = directions.len() as u32 - hits - misses;
+    let ignored = beams.slots.len() as u32 - hits - misses;
     Ok(ScanReport {
         changed: sink.rect(),
         hits,
@@ -74,17 +76,14 @@ pub(crate) fn integrate(
 struct Beams<'a> {
     info: &'a GridInfo,
     scan: &'a LaserScan<'a>,
-    directions: &'a [Vector2<f32>],
+    slots: &'a mut [BeamSlot],
     sensor: Pose2D,
+    /// Cell of the sensor; `None` if it is too far away for any beam.
+    start: Option<(i32, i32)>,
     cos_sin: (f32, f32),
 }
 
 impl Beams<'_> {
-    /// Cell of the sensor; `None` if it is too far away for any beam.
-    fn start(&self) -> Option<(i32, i32)> {
-        self.info.world_to_cell(self.sensor.x, self.sensor.y)
-    }
-
     /// The cell a beam ends in.
     #[inline]
     fn end(&self, direction: &Vector2<f32>, range: f32) -> Option<(i32, i32)> {
@@ -95,36 +94,52 @@ impl Beams<'_> {
             .world_to_cell(self.sensor.x + dx * range, self.sensor.y + dy * range)
     }
 
-    /// Every hit inside the map.
-    fn for_each_hit(&self, mut visit: impl FnMut(u32, u32, usize)) {
-        if self.start().is_none() {
-            return;
-        }
-        for (direction, &range) in self.directions.iter().zip(self.scan.ranges) {
-            if self.scan.beam(range) == Beam::Hit
-                && let Some((cx, cy)) = self.end(direction, range)
-                && let Some(i) = self.info.index(cx as u32, cy as u32)
-            {
-                visit(cx as u32, cy as u32, i);
+    /// Notes in its slot which cell of the map each beam hits.
+    fn find_hits(&mut self) {
+        for i in 0..self.slots.len() {
+            let (Some(slot), Some(&range)) = (self.slots.get(i), self.scan.ranges.get(i)) else {
+                return;
+            };
+            let hit = match (self.start, self.scan.beam(range)) {
+                (Some(_), Beam::Hit) => self.end(&slot.direction, range),
+                _ => None,
+            };
+            let cell = hit.and_then(|(cx, cy)| self.info.index(cx as u32, cy as u32));
+            if let Some(slot) = self.slots.get_mut(i) {
+                slot.hit = cell.unwrap_or(BeamSlot::NO_CELL);
             }
         }
+    }
+
+    /// Every cell of the map that a beam hits.
+    fn hits(&self) -> impl Iterator<Item = usize> + '_ {
+        self.slots
+            .iter()
+            .map(|slot| slot.hit)
+            .filter(|cell| *cell != BeamSlot::NO_CELL)
     }
 
     /// Every cell that a beam clears, as often as beams do; returns the hits and the misses.
     #[inline]
     fn for_each_cleared(&self, mut visit: impl FnMut(usize)) -> (u32, u32) {
         let (mut hits, mut misses) = (0, 0);
-        let Some(start) = self.start() else {
+        let Some(start) = self.start else {
             return (hits, misses);
         };
         let (width, height) = (self.info.width(), self.info.height());
-        for (direction, &range) in self.directions.iter().zip(self.scan.ranges) {
+        for (slot, &range) in self.slots.iter().zip(self.scan.ranges) {
             let (range, last, count) = match self.scan.beam(range) {
                 Beam::Hit => (range, End::Excluded, &mut hits),
                 Beam::Miss => (self.scan.range_max, End::Included, &mut misses),
                 Beam::Ignored => continue,
             };
-            let Some(end) = self.end(direction, range) else {
+            let end = if slot.hit == BeamSlot::NO_CELL {
+                self.end(&slot.direction, range)
+            } else {
+                let (gx, gy) = self.cell(slot.hit);
+                Some((gx as i32, gy as i32))
+            };
+            let Some(end) = end else {
                 continue;
             };
             *count += 1;
@@ -137,41 +152,44 @@ impl Beams<'_> {
 
     /// Column and row of a linear index.
     fn cell(&self, i: usize) -> (u32, u32) {
-        let (i, width) = (i as u32, self.info.width().max(1));
-        (i % width, i / width)
+        let width = self.info.width().max(1) as usize;
+        ((i % width) as u32, (i / width) as u32)
     }
 }
 
 /// Hits wait in their cells while beams clear around them; so a cell that is cleared and marked
 /// again is written once, and only net changes are told.
 fn set(cells: &mut [i8], beams: &Beams<'_>, sink: &mut impl ChangeSink) -> (u32, u32) {
-    beams.for_each_hit(|_, _, i| {
+    let mut changed = |i: usize| {
+        let (gx, gy) = beams.cell(i);
+        sink.changed(gx, gy);
+    };
+    for i in beams.hits() {
         if let Some(cell) = cells.get_mut(i)
             && !is_waiting(*cell)
         {
             *cell = cell.wrapping_sub(HIT);
         }
-    });
+    }
     let counts = beams.for_each_cleared(|i| {
         if let Some(cell) = cells.get_mut(i)
             && *cell != FREE
             && !is_waiting(*cell)
         {
             *cell = FREE;
-            let (gx, gy) = beams.cell(i);
-            sink.changed(gx, gy);
+            changed(i);
         }
     });
-    beams.for_each_hit(|gx, gy, i| {
+    for i in beams.hits() {
         if let Some(cell) = cells.get_mut(i)
             && is_waiting(*cell)
         {
             if cell.wrapping_add(HIT) != OCCUPIED {
-                sink.changed(gx, gy);
+                changed(i);
             }
             *cell = OCCUPIED;
         }
-    });
+    }
     counts
 }
 
@@ -216,6 +234,6 @@ fn accumulate(
             }
         }
     };
-    beams.for_each_hit(|_, _, i| take(i, hit));
+    beams.hits().for_each(|i| take(i, hit));
     beams.for_each_cleared(|i| take(i, miss))
 }

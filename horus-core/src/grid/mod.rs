@@ -8,7 +8,7 @@ mod workspace;
 
 pub use occupancy::{OccupancyGrid, StaticOccupancyGrid};
 pub use scan::{LaserScan, ScanModel, ScanReport};
-pub use workspace::{ScanBuffers, ScanWorkspace};
+pub use workspace::{BeamSlot, ScanBuffers, ScanWorkspace};
 
 pub(crate) use integrate::ChangeSink;
 

@@ -158,7 +158,7 @@ impl<S: AsRef<[i8]> + AsMut<[i8]>> OccupancyGrid<S> {
     ///
     /// # Errors
     /// [`Error::NonFinitePose`], [`Error::InvalidScan`], [`Error::InvalidModel`];
-    /// [`Error::BufferTooSmall`] if the workspace has fewer directions than the scan has beams or,
+    /// [`Error::BufferTooSmall`] if the workspace has fewer slots than the scan has beams or,
     /// for [`ScanModel::Accumulate`], too few bits. Nothing changes then.
     ///
     /// # Complexity

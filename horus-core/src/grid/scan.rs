@@ -31,12 +31,13 @@ impl LaserScan<'_> {
     /// What a range says, REP 117.
     #[inline]
     pub(crate) fn beam(&self, range: f32) -> Beam {
-        if range.is_nan() || range < self.range_min || range == f32::NEG_INFINITY {
-            Beam::Ignored
-        } else if range >= self.range_max || range == f32::INFINITY {
+        // The limits are numbers, so a NaN range fails every comparison.
+        if range >= self.range_min && range < self.range_max && range.is_finite() {
+            Beam::Hit
+        } else if range >= self.range_min && range > f32::NEG_INFINITY {
             Beam::Miss
         } else {
-            Beam::Hit
+            Beam::Ignored
         }
     }
 }

@@ -4,9 +4,9 @@ use super::LaserScan;
 use crate::error::{Buffer, Error, require};
 use crate::math;
 
-/// What integrating scans of one lidar needs beside the grid, over caller-provided storage: the
-/// beams' directions (8 bytes per beam), computed once per scan geometry, and one bit per cell for
-/// [`ScanModel::Accumulate`](super::ScanModel::Accumulate).
+/// What integrating scans of one lidar needs beside the grid, over caller-provided storage: one
+/// [`BeamSlot`] per beam, whose directions are computed once per scan geometry, and one bit per
+/// cell for [`ScanModel::Accumulate`](super::ScanModel::Accumulate).
 ///
 /// Keep one per lidar: the directions are recomputed only when the scan's angles change.
 ///
@@ -19,18 +19,38 @@ use crate::math;
 /// ```
 #[derive(Debug)]
 pub struct ScanWorkspace<'a> {
-    directions: &'a mut [Vector2<f32>],
+    slots: &'a mut [BeamSlot],
     seen: &'a mut [u32],
     /// Angles the directions were computed for, and how many of them are.
     geometry: (f32, f32),
     computed: usize,
 }
 
+/// What a workspace keeps of one beam: its direction in the sensor frame and, while a scan is
+/// integrated, the cell it ends in. 12 bytes on a 32-bit target.
+#[derive(Clone, Copy, Debug)]
+pub struct BeamSlot {
+    pub(crate) direction: Vector2<f32>,
+    /// Linear index of the cell the beam hits; [`NO_CELL`](Self::NO_CELL) if it hits none.
+    pub(crate) hit: usize,
+}
+
+impl BeamSlot {
+    /// All bits zero; the contents do not matter.
+    pub const EMPTY: Self = Self {
+        direction: Vector2::new(0.0, 0.0),
+        hit: 0,
+    };
+
+    /// No slice has this many cells.
+    pub(crate) const NO_CELL: usize = usize::MAX;
+}
+
 /// Storage for a [`ScanWorkspace`]: `BEAMS` beams and `WORDS` words of cell bits
 /// (one per 32 cells of the grid for `Accumulate`, 0 for `Set`).
 #[derive(Clone, Debug)]
 pub struct ScanBuffers<const BEAMS: usize, const WORDS: usize> {
-    directions: [Vector2<f32>; BEAMS],
+    slots: [BeamSlot; BEAMS],
     seen: [u32; WORDS],
 }
 
@@ -38,23 +58,23 @@ impl<const BEAMS: usize, const WORDS: usize> ScanBuffers<BEAMS, WORDS> {
     /// All bits zero: costs no flash image in a `static`.
     pub const fn empty() -> Self {
         Self {
-            directions: [Vector2::new(0.0, 0.0); BEAMS],
+            slots: [BeamSlot::EMPTY; BEAMS],
             seen: [0; WORDS],
         }
     }
 
     /// A workspace over these buffers.
     pub fn workspace(&mut self) -> ScanWorkspace<'_> {
-        ScanWorkspace::new_in(&mut self.directions, &mut self.seen)
+        ScanWorkspace::new_in(&mut self.slots, &mut self.seen)
     }
 }
 
 impl<'a> ScanWorkspace<'a> {
-    /// A workspace over one direction per beam and, for `Accumulate`, one bit per cell (a word per
+    /// A workspace over one slot per beam and, for `Accumulate`, one bit per cell (a word per
     /// 32 cells; empty for `Set`).
-    pub fn new_in(directions: &'a mut [Vector2<f32>], seen: &'a mut [u32]) -> Self {
+    pub fn new_in(slots: &'a mut [BeamSlot], seen: &'a mut [u32]) -> Self {
         Self {
-            directions,
+            slots,
             seen,
             geometry: (0.0, 0.0),
             computed: 0,
@@ -63,35 +83,29 @@ impl<'a> ScanWorkspace<'a> {
 
     /// Most beams a scan may have.
     pub fn beams(&self) -> usize {
-        self.directions.len()
+        self.slots.len()
     }
 
-    /// The directions of a scan's beams in the sensor frame, and `words` cleared cell bits.
+    /// The slots of a scan's beams with their directions, and `words` cleared cell bits.
     pub(crate) fn prepare(&mut self, scan: &LaserScan<'_>, words: usize) -> Result<Prepared<'_>, Error> {
         let beams = scan.ranges.len();
-        require(Buffer::Directions, beams, self.directions.len())?;
+        require(Buffer::Beams, beams, self.slots.len())?;
         require(Buffer::Seen, words, self.seen.len())?;
         let geometry = (scan.angle_min, scan.angle_increment);
         if geometry != self.geometry {
             self.geometry = geometry;
             self.computed = 0;
         }
-        for (i, direction) in self
-            .directions
-            .iter_mut()
-            .enumerate()
-            .take(beams)
-            .skip(self.computed)
-        {
+        for (i, slot) in self.slots.iter_mut().enumerate().take(beams).skip(self.computed) {
             let angle = f64::from(geometry.0) + i as f64 * f64::from(geometry.1);
             let (cos, sin) = math::beam_cos_sin(angle);
-            *direction = Vector2::new(cos, sin);
+            slot.direction = Vector2::new(cos, sin);
         }
         self.computed = self.computed.max(beams);
         let seen = self.seen.get_mut(..words).unwrap_or_default();
         seen.fill(0);
         Ok(Prepared {
-            directions: self.directions.get(..beams).unwrap_or_default(),
+            slots: self.slots.get_mut(..beams).unwrap_or_default(),
             seen,
         })
     }
@@ -99,6 +113,6 @@ impl<'a> ScanWorkspace<'a> {
 
 /// A workspace made ready for one scan.
 pub(crate) struct Prepared<'a> {
-    pub directions: &'a [Vector2<f32>],
+    pub slots: &'a mut [BeamSlot],
     pub seen: &'a mut [u32],
 }

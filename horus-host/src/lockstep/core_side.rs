@@ -54,7 +54,7 @@ impl<'a> CoreSide<'a> {
         };
         Ok(Self {
             map,
-            workspace: ScanWorkspace::new_in(&mut storage.directions, &mut storage.seen),
+            workspace: ScanWorkspace::new_in(&mut storage.beams, &mut storage.seen),
             model: config.model,
         })
     }

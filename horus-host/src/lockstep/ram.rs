@@ -13,7 +13,7 @@ pub struct RamUse {
     pub scratch: usize,
     /// Tables that follow from the parameters.
     pub tables: usize,
-    /// Directions of the scan's beams.
+    /// Slots of the scan's beams.
     pub beams: usize,
     /// One bit per cell for accumulating scans; 0 otherwise.
     pub seen: usize,

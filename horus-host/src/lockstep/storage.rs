@@ -1,9 +1,8 @@
 use std::mem::{size_of, size_of_val};
 
 use horus_core::costmap::{CostMapBuffers, CostTables, bit_words, scratch_words};
-use horus_core::prelude::{CostMap, ScanModel, ScanWorkspace};
+use horus_core::prelude::{BeamSlot, CostMap, ScanModel, ScanWorkspace};
 use horus_core::storage::bitmap_words;
-use nalgebra::Vector2;
 
 use super::field::TableCell;
 use super::{FieldWidth, LockstepConfig, LockstepError, RamUse};
@@ -15,7 +14,7 @@ pub struct CoreStorage {
     pub(super) bits: Vec<u32>,
     pub(super) scratch: Vec<u32>,
     pub(super) costs: Option<Vec<u8>>,
-    pub(super) directions: Vec<Vector2<f32>>,
+    pub(super) beams: Vec<BeamSlot>,
     pub(super) seen: Vec<u32>,
     pub(super) field: FieldStorage,
     radius: u32,
@@ -50,7 +49,7 @@ impl CoreStorage {
             bits: filled(0, bit_words(config.width, config.height), config)?,
             scratch: filled(0, scratch_words(radius), config)?,
             costs: config.keep_costs.then(|| filled(0, cells, config)).transpose()?,
-            directions: filled(Vector2::zeros(), beams, config)?,
+            beams: filled(BeamSlot::EMPTY, beams, config)?,
             seen: filled(0, seen, config)?,
             field,
             radius,
@@ -91,7 +90,7 @@ impl CoreStorage {
             costs: self.costs.as_ref().map_or(0, Vec::len),
             scratch: size_of_val(&self.scratch[..]),
             tables,
-            beams: size_of_val(&self.directions[..]),
+            beams: size_of_val(&self.beams[..]),
             seen: size_of_val(&self.seen[..]),
             handles: map + size_of::<ScanWorkspace<'_>>(),
         }

@@ -1,7 +1,6 @@
 //! A core cost map and the std version of it, side by side.
 
 use horus_core::costmap::{CostTables, FieldCell, bit_words, scratch_words};
-use horus_core::nalgebra::Vector2;
 use horus_core::prelude::*;
 use horus_host::reference as std_side;
 
@@ -15,7 +14,7 @@ pub struct Buffers<F: FieldCell> {
     scratch: Vec<u32>,
     costs: Option<Vec<u8>>,
     tables: CostTables<F>,
-    directions: Vec<Vector2<f32>>,
+    beams: Vec<BeamSlot>,
     seen: Vec<u32>,
 }
 
@@ -30,7 +29,7 @@ impl<F: FieldCell> Buffers<F> {
             scratch: vec![0xdead_beef; scratch_words(F::MAX_RADIUS.min(31))],
             costs: kept.then(|| vec![13; n]),
             tables: CostTables::EMPTY,
-            directions: vec![Vector2::zeros(); 100],
+            beams: vec![BeamSlot::EMPTY; 100],
             seen: vec![0xdead_beef; n.div_ceil(32)],
         }
     }
@@ -111,7 +110,7 @@ impl<'a, F: FieldCell> Pair<'a, F> {
         };
         let grid = std_side::OccupancyGrid::new(width, height, resolution, std_pose(origin));
         let oracle = std_side::CostMap::with_params(grid, std_params(&params)).unwrap();
-        let workspace = ScanWorkspace::new_in(&mut buffers.directions, &mut buffers.seen);
+        let workspace = ScanWorkspace::new_in(&mut buffers.beams, &mut buffers.seen);
         Some(Self {
             core,
             oracle,
