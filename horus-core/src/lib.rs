@@ -1,5 +1,6 @@
 #![no_std]
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
+#![cfg_attr(not(feature = "dsp"), forbid(unsafe_code))]
 //! Occupancy grids and incremental cost maps for microcontrollers.
 //!
 //! Fixed capacity, no allocation, no panics, exact results, bounded work per tick. All storage is

@@ -42,6 +42,9 @@ pub trait FieldCell: Copy + Debug + Eq + Ord + sealed::Sealed + 'static {
     fn new(squared: u32) -> Self;
     #[doc(hidden)]
     fn squared(self) -> u32;
+    /// From a one-byte field.
+    #[doc(hidden)]
+    fn from_near(value: u8) -> Self;
     #[doc(hidden)]
     fn saturating_add(self, other: Self) -> Self;
     #[doc(hidden)]
@@ -106,6 +109,11 @@ impl FieldCell for u8 {
     }
 
     #[inline]
+    fn from_near(value: u8) -> Self {
+        value
+    }
+
+    #[inline]
     fn saturating_add(self, other: Self) -> Self {
         u8::saturating_add(self, other)
     }
@@ -162,6 +170,15 @@ impl FieldCell for u16 {
     #[inline]
     fn squared(self) -> u32 {
         self.into()
+    }
+
+    #[inline]
+    fn from_near(value: u8) -> Self {
+        if value == u8::NONE {
+            Self::NONE
+        } else {
+            value.into()
+        }
     }
 
     #[inline]

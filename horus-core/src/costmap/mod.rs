@@ -8,6 +8,8 @@
 mod budget;
 mod buffers;
 mod changes;
+#[cfg(any(test, all(feature = "dsp", target_arch = "arm")))]
+mod dsp;
 mod edges;
 mod field;
 mod footprint;

@@ -73,6 +73,10 @@ pub(crate) struct Repair<'b, 'r, V, F: FieldCell> {
 }
 
 impl<V: CellValue, F: FieldCell> Job<F> for Repair<'_, '_, V, F> {
+    fn is_dense(&self) -> bool {
+        matches!(self.scope, Scope::All)
+    }
+
     fn run(mut self, kernel: &mut impl Kernel<F>) {
         let mut x0 = self.rect.x0;
         while x0 < self.rect.x1 {

@@ -7,7 +7,7 @@ use std::vec;
 use std::vec::Vec;
 
 use super::budget::Budget;
-use super::kernel::{Disc, Kernel, Need, bits, lanes, low_bits};
+use super::kernel::{Disc, Kernel, Need, bits, lanes, low_bits, quads};
 use super::layer::Layer;
 use super::*;
 use crate::error::Error;
@@ -90,6 +90,8 @@ fn kernels_equal_brute_force() {
         let mut ring = Box::new([7; bits::NEAR_WORDS]);
         check_kernel::<u8, _>(bits::Near::new(&near, &mut ring), near, seed);
         check_kernel::<u16, _>(bits::Near::new(&near, &mut ring), near, seed);
+        check_kernel::<u8, _>(quads::Quads::new(&near, &mut ring[..]).unwrap(), near, seed);
+        check_kernel::<u16, _>(quads::Quads::new(&near, &mut ring[..]).unwrap(), near, seed);
         check_kernel::<u8, _>(lanes::Lanes::<u8, 32, 32>::new(&near), near, seed);
         let mut ring = Box::new([7; bits::MIDDLE_WORDS]);
         check_kernel::<u16, _>(bits::Middle::new(&middle, &mut ring), middle, seed);

@@ -10,7 +10,7 @@ type Word = [u8; CELLS];
 const HIGH: u32 = every(0x80);
 
 /// The same byte in every cell.
-const fn every(byte: u8) -> u32 {
+pub(super) const fn every(byte: u8) -> u32 {
     byte as u32 * 0x0101_0101
 }
 
@@ -30,23 +30,33 @@ fn zeros(word: u32) -> u32 {
 /// allows sums above 127; none exceeds 255.
 #[inline(always)]
 pub(super) fn lower<const WIDE: bool>(rows: [&mut [u8]; 2], squares: &[u8], across: u8) {
-    over(rows, squares, across, |old, new| {
-        // Per cell, the highest bit is set where old >= new: borrows never leave a cell.
-        let at_least = if WIDE {
-            let low = (old | HIGH) - (new & !HIGH);
-            (old & !new) | (!(old ^ new) & low)
-        } else {
-            old | ((old | HIGH) - new)
-        };
-        match at_least & HIGH {
-            0 => None,
-            higher => {
-                cold_path(); // a branch, not seven predicated instructions
-                let higher = spread(higher);
-                Some((old & !higher) | (new & higher))
-            }
-        }
-    });
+    over(rows, squares, across, lesser::<WIDE>);
+}
+
+/// The lesser of each two cells, where any is less than `old`.
+#[cfg(all(feature = "dsp", target_arch = "arm"))]
+#[inline(always)]
+fn lesser<const WIDE: bool>(old: u32, new: u32) -> Option<u32> {
+    Some(super::dsp::min(old, new))
+}
+
+/// The lesser of each two cells; `None` if all of `old` are less.
+#[cfg(not(all(feature = "dsp", target_arch = "arm")))]
+#[inline(always)]
+fn lesser<const WIDE: bool>(old: u32, new: u32) -> Option<u32> {
+    // The highest bit of every cell where old >= new: borrows never leave a cell.
+    let at_least = if WIDE {
+        let low = (old | HIGH) - (new & !HIGH);
+        (old & !new) | (!(old ^ new) & low)
+    } else {
+        old | ((old | HIGH) - new)
+    };
+    if at_least & HIGH == 0 {
+        return None;
+    }
+    cold_path(); // a branch, not seven predicated instructions
+    let at_least = spread(at_least & HIGH);
+    Some((old & !at_least) | (new & at_least))
 }
 
 /// Marks as `stale` each cell of both rows that equals `squares + across` of its column.
@@ -120,6 +130,37 @@ fn over(
     }
 }
 
+/// A bit per byte: set where `byte - from`, wrapping, is at most `span`.
+#[inline(always)]
+pub(super) fn within(bytes: Word, from: u8, span: u8) -> u32 {
+    let (bytes, from, span) = (u32::from_le_bytes(bytes), every(from), every(span));
+    gather(at_most(bytes, from, span))
+}
+
+/// The highest bit of every byte for which `byte - from`, wrapping, is at most `span`.
+#[cfg(all(feature = "dsp", target_arch = "arm"))]
+#[inline(always)]
+fn at_most(bytes: u32, from: u32, span: u32) -> u32 {
+    super::dsp::select(span, super::dsp::subtract(bytes, from), HIGH, 0)
+}
+
+/// The highest bit of every byte for which `byte - from`, wrapping, is at most `span`.
+#[cfg(not(all(feature = "dsp", target_arch = "arm")))]
+#[inline(always)]
+fn at_most(bytes: u32, from: u32, span: u32) -> u32 {
+    // Byte by byte: the highest bits apart, so that nothing borrows.
+    let difference = ((bytes | HIGH) - (from & !HIGH)) ^ (!(bytes ^ from) & HIGH);
+    let low = (span | HIGH) - (difference & !HIGH);
+    ((span & !difference) | (!(span ^ difference) & low)) & HIGH
+}
+
+/// The highest bit of every cell, as four bits.
+#[inline(always)]
+fn gather(high: u32) -> u32 {
+    // The product has them in its highest four bits.
+    (high >> 7).wrapping_mul(0x1020_4080) >> 28
+}
+
 /// A bit per cell of up to 32: set where it equals `value`.
 #[inline(always)]
 pub(super) fn equal_bits(row: &[u8], value: u8) -> u32 {
@@ -129,8 +170,7 @@ pub(super) fn equal_bits(row: &[u8], value: u8) -> u32 {
     for cells in words {
         let equal = zeros(u32::from_le_bytes(*cells) ^ every(value));
         if equal != 0 {
-            // The product gathers the four bits in its highest four.
-            bits |= ((equal >> 7).wrapping_mul(0x1020_4080) >> 28) << lane;
+            bits |= gather(equal) << lane;
         }
         lane += CELLS as u32;
     }
@@ -178,6 +218,21 @@ mod tests {
                     let bits = equal_bits(&cells, new);
                     let expected = (0..5).fold(0, |b, i| b | u32::from(cells[i] == new) << i);
                     assert_eq!(bits, expected, "{old} {new} beside {other}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn bytes_lie_within_a_wrapping_span() {
+        for from in 0..=255u8 {
+            for span in [0, 1, 62, 77, 127, 128, 190, 255] {
+                for byte in 0..=255u8 {
+                    let bytes = [byte, from, from.wrapping_add(span), byte ^ 0x80];
+                    let expected = (0..4).fold(0, |bits, i| {
+                        bits | u32::from(bytes[i].wrapping_sub(from) <= span) << i
+                    });
+                    assert_eq!(within(bytes, from, span), expected, "{bytes:?} {from} {span}");
                 }
             }
         }

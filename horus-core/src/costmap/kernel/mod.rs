@@ -7,6 +7,8 @@ pub(crate) mod bits;
 mod disc;
 pub(crate) mod lanes;
 mod need;
+#[cfg(any(test, all(feature = "dsp", target_arch = "arm")))]
+pub(crate) mod quads;
 pub(crate) mod stamp;
 
 pub(crate) use disc::Disc;
@@ -54,6 +56,10 @@ pub(crate) fn compute<F: FieldCell>(disc: &Disc, scratch: &mut [u32], sources: B
         field: &'b mut [F],
     }
     impl<F> Job<F> for All<'_, F> {
+        fn is_dense(&self) -> bool {
+            true
+        }
+
         fn run(self, kernel: &mut impl Kernel<F>) {
             kernel.all(self.sources, self.field);
         }
@@ -80,12 +86,30 @@ pub(crate) fn with_kernel<F: FieldCell>(disc: &Disc, scratch: &mut [u32], job: i
         }
     } else if disc.radius <= 15 {
         if let Some(ring) = scratch.first_chunk_mut() {
-            job.run(&mut bits::Near::new(disc, ring));
+            near(disc, ring, job);
         }
     } else if F::MAX_RADIUS > 15
         && let Some(ring) = scratch.first_chunk_mut()
     {
         job.run(&mut bits::Middle::new(disc, ring));
+    }
+}
+
+/// The kernel for radii up to 15 cells.
+#[cfg(not(all(feature = "dsp", target_arch = "arm")))]
+fn near<F: FieldCell>(disc: &Disc, scratch: &mut [u32; bits::NEAR_WORDS], job: impl Job<F>) {
+    job.run(&mut bits::Near::new(disc, scratch));
+}
+
+/// The kernel for radii up to 15 cells.
+#[cfg(all(feature = "dsp", target_arch = "arm"))]
+fn near<F: FieldCell>(disc: &Disc, scratch: &mut [u32; bits::NEAR_WORDS], job: impl Job<F>) {
+    if job.is_dense() {
+        if let Some(mut kernel) = quads::Quads::new(disc, scratch) {
+            job.run(&mut kernel);
+        }
+    } else {
+        job.run(&mut bits::Near::new(disc, scratch));
     }
 }
 
@@ -101,6 +125,9 @@ fn far<F: FieldCell>(disc: &Disc, job: impl Job<F>) {
 
 /// Work for whichever kernel is chosen.
 pub(crate) trait Job<F> {
+    /// True if most cells are to be recomputed, not a few of each row.
+    #[cfg_attr(not(all(feature = "dsp", target_arch = "arm")), expect(dead_code))]
+    fn is_dense(&self) -> bool;
     fn run(self, kernel: &mut impl Kernel<F>);
 }
 
