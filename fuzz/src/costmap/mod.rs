@@ -6,6 +6,7 @@ mod pair;
 mod params;
 mod promises;
 mod storage;
+mod updates;
 
 pub use ops::{Budget, CostCase, CostOp};
 pub use pair::CostPair;

@@ -1,12 +1,10 @@
-use horus_core::prelude::{
-    BeamSlot, CellRect, CostBuffers, CostMap, CostParams, Error, OccupancyGrid, Pose2D, ScanWorkspace,
-};
+use horus_core::prelude::{BeamSlot, CostBuffers, CostMap, CostParams, OccupancyGrid, Pose2D, ScanWorkspace};
 use horus_core::storage::bitmap_words;
 use horus_host::reference;
 
 use super::params::{effective_radius, is_acceptable};
 use super::promises::{Promises, shifted};
-use super::{Budget, CostCase, CostOp, Params, StdParams, Storage, Width};
+use super::{CostCase, CostOp, Params, StdParams, Storage, Width};
 use crate::compare::{agreed, difference, is_within, same_cells, same_grids, same_reports};
 use crate::number::Number;
 use crate::scene::{BEAMS, Fill, Model, Move, Place, Scan, core_scan, std_pose};
@@ -16,17 +14,17 @@ use crate::scene::{BEAMS, Fill, Model, Move, Place, Scan, core_scan, std_pose};
 const FOOTPRINT_REACH: f32 = (1 << 20) as f32;
 
 /// Calls of a long series whose rectangles are checked.
-const CHECKED_CALLS: u32 = 12;
+pub(super) const CHECKED_CALLS: u32 = 12;
 
 /// A cost map of core and a grid of the std version that have seen the same operations.
 pub struct CostPair<'a, F: Width> {
-    core: CostMap<'a, F>,
-    std: reference::OccupancyGrid,
-    params: (CostParams, StdParams),
+    pub(super) core: CostMap<'a, F>,
+    pub(super) std: reference::OccupancyGrid,
+    pub(super) params: (CostParams, StdParams),
     scratch: usize,
-    promises: Promises,
+    pub(super) promises: Promises,
     /// The window has moved since the last update.
-    moved: bool,
+    pub(super) moved: bool,
     /// The std version's costs of the present cells, where they have been computed.
     expected: Option<Vec<u8>>,
     beams: Vec<BeamSlot>,
@@ -110,7 +108,7 @@ impl<'a, F: Width> CostPair<'a, F> {
     }
 
     /// Every cost as it reads now.
-    fn read(&self) -> Vec<u8> {
+    pub(super) fn read(&self) -> Vec<u8> {
         let (w, h) = (self.std.width, self.std.height);
         let cells = (0..h).flat_map(|gy| (0..w).map(move |gx| (gx, gy)));
         cells
@@ -118,12 +116,12 @@ impl<'a, F: Width> CostPair<'a, F> {
             .collect()
     }
 
-    fn kept(&self) -> Option<Vec<u8>> {
+    pub(super) fn kept(&self) -> Option<Vec<u8>> {
         self.core.costs().map(<[u8]>::to_vec)
     }
 
     /// The std version's costs of the present cells.
-    fn expected(&mut self) -> Vec<u8> {
+    pub(super) fn expected(&mut self) -> Vec<u8> {
         let Self { std, params, .. } = self;
         let compute = || {
             let map = reference::CostMap::with_params(std.clone(), params.1);
@@ -133,7 +131,7 @@ impl<'a, F: Width> CostPair<'a, F> {
     }
 
     /// Nothing is pending: every cost equals the std version's and a fresh map's.
-    fn check_exact(&mut self) {
+    pub(super) fn check_exact(&mut self) {
         assert_eq!(self.core.calls_left(), 0, "calls left after a finished update");
         let (width, expected, read) = (self.std.width, self.expected(), self.read());
         same_cells("cost, core against the std version", &read, &expected, width);
@@ -231,117 +229,6 @@ impl<'a, F: Width> CostPair<'a, F> {
             let after = self.core.costs().expect("kept");
             let stay = moved.iter().zip(after).all(|(a, b)| a.is_none_or(|a| a == *b));
             assert!(stay, "kept costs move with their cells");
-        }
-    }
-
-    /// The rectangle that one update returned.
-    fn check_rect(&self, rect: Option<CellRect>, before: &[u8], kept_before: Option<&[u8]>) {
-        let width = self.std.width;
-        if before.is_empty() {
-            return;
-        }
-        if self.moved {
-            let whole = CellRect {
-                x0: 0,
-                y0: 0,
-                x1: width,
-                y1: self.std.height,
-            };
-            assert_eq!(rect, Some(whole), "after a shift");
-        } else if let (Some(before), Some(after)) = (kept_before, self.core.costs()) {
-            assert_eq!(rect, difference(before, after, width), "smallest rectangle");
-        } else {
-            let changed = difference(before, &self.read(), width);
-            assert!(
-                is_within(changed, rect),
-                "costs changed in {changed:?}, returned {rect:?}"
-            );
-        }
-    }
-
-    fn update(&mut self) {
-        let (before, kept) = (self.read(), self.kept());
-        let rect = self.core.update_costs();
-        self.check_rect(rect, &before, kept.as_deref());
-        self.moved = false;
-        self.promises.updated(rect);
-        self.check_exact();
-    }
-
-    /// One budgeted call; returns what is pending.
-    fn update_within(&mut self, budget: Budget, checked: bool) -> u32 {
-        let budget = budget.visits(self.core.min_budget());
-        let before = checked.then(|| (self.read(), self.kept()));
-        let update = self
-            .core
-            .update_costs_within(budget)
-            .expect("the budget is legal");
-        if let Some((before, kept)) = before {
-            self.check_rect(update.changed, &before, kept.as_deref());
-        }
-        self.moved = false;
-        self.promises.updated(update.changed);
-        let left = self.core.calls_left();
-        assert_eq!(
-            update.pending == 0,
-            left == 0,
-            "pending {}, calls left {left}",
-            update.pending
-        );
-        if update.pending == 0 {
-            self.check_exact();
-        } else if checked {
-            self.check_pending();
-        }
-        update.pending
-    }
-
-    /// Once the additions are in, no known cell is cheaper than its final cost.
-    fn check_pending(&mut self) {
-        let params = self.params.1;
-        let is_source = |v: i8| v >= params.lethal_threshold || v < 0 && params.unknown_inflates;
-        let data = &self.std.data;
-        let least = self.core.min_budget();
-        if !self.promises.additions_are_in(|i| is_source(data[i]), least) {
-            return;
-        }
-        let (expected, read) = (self.expected(), self.read());
-        for (i, value) in self.std.data.iter().enumerate() {
-            let (gx, gy) = (i as u32 % self.std.width, i as u32 / self.std.width);
-            assert!(
-                *value < 0 || read[i] >= expected[i],
-                "pending: known cell ({gx}, {gy}) costs {}, finally {}",
-                read[i],
-                expected[i]
-            );
-        }
-    }
-
-    fn too_little(&mut self, part: u16) {
-        let least = self.core.min_budget();
-        let given = u32::from(part) % least;
-        let (read, kept, left) = (self.read(), self.kept(), self.core.calls_left());
-        let refused = self.core.update_costs_within(given);
-        assert_eq!(refused, Err(Error::BudgetTooSmall { min: least, given }));
-        assert!(
-            read == self.read() && kept == self.kept() && left == self.core.calls_left(),
-            "a refused update does nothing"
-        );
-    }
-
-    fn drain(&mut self, budget: Budget) {
-        let promised = self.core.calls_left();
-        let mut calls = 0;
-        while self.core.calls_left() > 0 {
-            self.update_within(budget, calls < CHECKED_CALLS);
-            calls += 1;
-            assert!(
-                calls <= promised,
-                "{calls} calls made, {promised} were promised to do"
-            );
-        }
-        if calls == 0 {
-            self.check_exact();
         }
     }
 
