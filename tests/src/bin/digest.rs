@@ -1,6 +1,8 @@
 //! Prints the hashes of every scripted drive: the same lines on the host and on the target.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
+use horus_core::costmap::CostBuffers;
+use horus_tests::c_drive;
 use horus_tests::drive::{self, FarBuffers, LidarBuffers, Line, NearBuffers};
 use horus_tests::rt::hprintln;
 
@@ -39,7 +41,30 @@ fn all() -> Result<(), horus_core::Error> {
     for scenario in drive::far_scenarios() {
         drive::run(&scenario, drive::FAR, far.split(), &mut workspace, print)?;
     }
-    Ok(())
+    through_c()
+}
+
+/// The drives that the C programs repeat.
+fn through_c() -> Result<(), horus_core::Error> {
+    static ONE: Once<c_drive::OneByte> = Once::new(c_drive::OneByte::empty());
+    static TWO: Once<c_drive::TwoBytes> = Once::new(c_drive::TwoBytes::empty());
+    static COSTS: Once<c_drive::Costs> = Once::new([0; size_of::<c_drive::Costs>()]);
+    static LIDAR: Once<c_drive::Lidar> = Once::new(c_drive::Lidar::empty());
+    let (one, two, costs) = (ONE.take(), TWO.take(), COSTS.take());
+    let mut workspace = LIDAR.take().workspace();
+    c_drive::run(&c_drive::direct(), one.split(), &mut workspace, print)?;
+    let (cells, buffers) = one.split();
+    let buffers = CostBuffers {
+        costs: Some(costs),
+        ..buffers
+    };
+    c_drive::run(&c_drive::budgeted(), (cells, buffers), &mut workspace, print)?;
+    let (cells, buffers) = two.split();
+    let buffers = CostBuffers {
+        costs: Some(costs),
+        ..buffers
+    };
+    c_drive::run(&c_drive::far(), (cells, buffers), &mut workspace, print)
 }
 
 /// A static that is handed out once.
