@@ -568,12 +568,29 @@ horus_status horus_cost_map_bytes(const horus_cost_map_config *config, size_t *b
 
 /// Makes a cost map of unknown cells in `length` bytes of memory and computes its costs.
 ///
-/// Fails as horus_cost_map_bytes does, and with HORUS_STATUS_BUFFER_TOO_SMALL; with
+/// Fails as horus_cost_map_bytes() does, and with HORUS_STATUS_BUFFER_TOO_SMALL; with
 /// HORUS_STATUS_RADIUS_TOO_LARGE the memory holds no object.
 horus_status horus_cost_map_init(void *memory,
                                  size_t length,
                                  const horus_cost_map_config *config,
                                  horus_cost_map **map);
+
+/// horus_cost_map_init() for a one-byte field only: an image that makes its maps with it does not
+/// hold the code for two bytes.
+///
+/// Fails as it does; with HORUS_STATUS_INVALID_CHOICE unless field_bytes is 1.
+horus_status horus_cost_map_init_1(void *memory,
+                                   size_t length,
+                                   const horus_cost_map_config *config,
+                                   horus_cost_map **map);
+
+/// horus_cost_map_init() for a two-byte field only, likewise.
+///
+/// Fails as it does; with HORUS_STATUS_INVALID_CHOICE unless field_bytes is 2.
+horus_status horus_cost_map_init_2(void *memory,
+                                   size_t length,
+                                   const horus_cost_map_config *config,
+                                   horus_cost_map **map);
 
 /// The default parameters: R 0.55 m, k 10, polynomial, lethal from occupancy 50 on.
 horus_cost_params horus_cost_params_default(void);

@@ -28,7 +28,7 @@ static horus_status run(void)
     horus_scan_workspace *lidar;
     horus_cost_map *map;
 
-    horus_status status = horus_cost_map_init(map_memory, sizeof map_memory, &config, &map);
+    horus_status status = horus_cost_map_init_1(map_memory, sizeof map_memory, &config, &map);
     if (status == HORUS_STATUS_OK)
         status = horus_scan_workspace_init(lidar_memory, sizeof lidar_memory, &beams, &lidar);
     while (status == HORUS_STATUS_OK && lidar_revolution(ranges)) {

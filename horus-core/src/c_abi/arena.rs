@@ -85,6 +85,14 @@ impl Arena {
         })
     }
 
+    /// Room for one value.
+    pub(super) fn room<T: 'static>(&mut self) -> Result<Room<T>, horus_status> {
+        let start = self.place::<T>(1)?;
+        // SAFETY: as in `take`.
+        let place = self.block.map(|block| unsafe { block.add(start).cast() });
+        Ok(Room { place })
+    }
+
     /// Where the next `count` elements start.
     fn place<T>(&mut self, count: usize) -> Result<usize, horus_status> {
         const { assert!(align_of::<T>() <= HORUS_ALIGN) };
@@ -100,5 +108,22 @@ impl Arena {
         }
         self.used = end;
         Ok(start)
+    }
+}
+
+/// Room for one value in a block; none when only measuring.
+pub(super) struct Room<T> {
+    place: Option<NonNull<T>>,
+}
+
+impl<T: 'static> Room<T> {
+    /// Puts the value there.
+    pub(super) fn put(self, value: T) -> Result<&'static mut T, horus_status> {
+        let mut place = self.place.ok_or(horus_status::BufferTooSmall)?;
+        // SAFETY: the arena found room for a `T` here, aligned, which nothing else reaches.
+        Ok(unsafe {
+            place.write(value);
+            place.as_mut()
+        })
     }
 }

@@ -3,9 +3,9 @@
 use core::ffi::{c_char, c_void};
 
 use super::arena::Arena;
-use super::call::{Call, Plain};
+use super::call::{Call, Claims, Plain};
 use super::geometry::horus_shift;
-use super::object::{self, Object};
+use super::object::{self, Make, Object};
 use super::scan::{ScanCall, horus_laser_scan, horus_scan_model, horus_scan_report, horus_scan_workspace};
 use super::status::{horus_status, inside};
 use super::text;
@@ -68,6 +68,10 @@ impl horus_grid_config {
 impl Object for Grid {
     const TAG: u32 = u32::from_le_bytes(*b"HGr1");
     type Handle = horus_grid;
+}
+
+impl Make for Grid {
+    type Object = Self;
     type Config = horus_grid_config;
     type Buffers = &'static mut [i8];
 
@@ -75,7 +79,7 @@ impl Object for Grid {
         arena.take(config.cells()?)
     }
 
-    fn new(config: &Self::Config, cells: Self::Buffers) -> Result<Self, horus_status> {
+    fn make(config: &Self::Config, cells: Self::Buffers) -> Result<Self, horus_status> {
         config.grid(cells)
     }
 }
@@ -90,6 +94,19 @@ impl From<&GridInfo> for horus_map_info {
             offset: info.offset().into(),
         }
     }
+}
+
+/// Values for all cells; with a wrong count, nobody looks whether they are there.
+pub(super) fn one_per_cell<'c>(
+    claims: &mut Claims<'c>,
+    grid: &Grid,
+    values: *const i8,
+    count: usize,
+) -> Result<&'c [i8], horus_status> {
+    if count != grid.info().cells() {
+        return Err(horus_status::LengthMismatch);
+    }
+    claims.slice(values, count)
 }
 
 /// Bytes of memory that such a grid takes: one per cell, and a few.
@@ -180,7 +197,8 @@ pub unsafe extern "C" fn horus_grid_load(
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
         let grid = claims.object_mut::<Grid>(grid)?;
-        grid.load(claims.slice(values, count)?)?;
+        let values = one_per_cell(claims, grid, values, count)?;
+        grid.load(values)?;
         Ok(())
     })
 }

@@ -12,7 +12,13 @@ pub(super) trait Object: Sized + 'static {
     const TAG: u32;
     /// The incomplete type that C knows it as.
     type Handle;
-    /// What C says about it when it is made.
+}
+
+/// A way to make an object.
+pub(super) trait Make {
+    /// What comes of it.
+    type Object: Object;
+    /// What C says about it.
     type Config: Plain;
     /// The buffers it takes.
     type Buffers;
@@ -21,7 +27,7 @@ pub(super) trait Object: Sized + 'static {
     fn buffers(config: &Self::Config, arena: &mut Arena) -> Result<Self::Buffers, horus_status>;
 
     /// Checks the rest and makes the object.
-    fn new(config: &Self::Config, buffers: Self::Buffers) -> Result<Self, horus_status>;
+    fn make(config: &Self::Config, buffers: Self::Buffers) -> Result<Self::Object, horus_status>;
 }
 
 /// The start of every object's memory.
@@ -43,29 +49,29 @@ pub(super) struct Placed<T> {
 }
 
 /// Bytes that an object and its buffers take: a multiple of `HORUS_ALIGN`.
-pub(super) fn bytes<T: Object>(config: &T::Config) -> Result<usize, horus_status> {
+pub(super) fn bytes<M: Make>(config: &M::Config) -> Result<usize, horus_status> {
     let mut arena = Arena::measure();
-    arena.skip::<Placed<T>>()?;
-    T::buffers(config, &mut arena)?;
+    arena.skip::<Placed<M::Object>>()?;
+    M::buffers(config, &mut arena)?;
     Ok(arena.bytes())
 }
 
 /// Makes an object in the caller's memory. An error after the claims leaves no object there.
-pub(super) fn init<T: Object>(
+pub(super) fn init<M: Make>(
     claims: &mut Claims<'_>,
     memory: *mut c_void,
     length: usize,
-    config: *const T::Config,
-    handle: *mut *mut T::Handle,
+    config: *const M::Config,
+    handle: *mut *mut <M::Object as Object>::Handle,
 ) -> Result<(), horus_status> {
     let config = claims.input(config)?;
     let handle = claims.output(handle)?;
-    let needed = bytes::<T>(&config)?;
+    let needed = bytes::<M>(&config)?;
     let block = claims.block(memory, needed.min(length))?;
     if length < needed {
         return Err(horus_status::BufferTooSmall);
     }
-    let placed = block.cast::<Placed<T>>();
+    let placed = block.cast::<Placed<M::Object>>();
     // SAFETY: the block is aligned, its `needed` bytes, which hold a `Placed`, are writable (the
     // contract), and nothing else that this call has claimed reaches it. Whatever object it held
     // ends here.
@@ -73,11 +79,11 @@ pub(super) fn init<T: Object>(
         (&raw mut (*placed.as_ptr()).header.tag).write(0);
         Arena::over(block, needed)
     };
-    arena.skip::<Placed<T>>()?;
-    let buffers = T::buffers(&config, &mut arena)?;
-    let object = T::new(&config, buffers)?;
+    arena.skip::<Placed<M::Object>>()?;
+    let buffers = M::buffers(&config, &mut arena)?;
+    let object = M::make(&config, buffers)?;
     let header = Header {
-        tag: T::TAG,
+        tag: M::Object::TAG,
         address: block.addr().get(),
         length: needed,
     };

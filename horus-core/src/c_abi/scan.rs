@@ -7,7 +7,7 @@ use nalgebra::Vector2;
 use super::arena::Arena;
 use super::call::{Call, Claims, Plain};
 use super::geometry::rect_or_empty;
-use super::object::{self, Object};
+use super::object::{self, Make, Object};
 use super::status::horus_status;
 use crate::geometry::CellRect;
 use crate::grid::{LaserScan, ScanModel, ScanReport, ScanWorkspace};
@@ -155,6 +155,10 @@ pub(super) type Workspace = ScanWorkspace<'static>;
 impl Object for Workspace {
     const TAG: u32 = u32::from_le_bytes(*b"HSw1");
     type Handle = horus_scan_workspace;
+}
+
+impl Make for Workspace {
+    type Object = Self;
     type Config = horus_scan_workspace_config;
     type Buffers = (&'static mut [Vector2<f32>], &'static mut [u32]);
 
@@ -164,7 +168,7 @@ impl Object for Workspace {
         Ok((directions, seen))
     }
 
-    fn new(_: &Self::Config, (directions, seen): Self::Buffers) -> Result<Self, horus_status> {
+    fn make(_: &Self::Config, (directions, seen): Self::Buffers) -> Result<Self, horus_status> {
         Ok(ScanWorkspace::new_in(directions, seen))
     }
 }

@@ -4,7 +4,7 @@ use super::cost_map::AnyCostMap;
 use super::grid::Grid;
 use super::object::Placed;
 use super::scan::Workspace;
-use crate::costmap::{CostTables, scratch_words};
+use crate::costmap::{CostMap, CostTables, FieldCell, scratch_words};
 
 /// Alignment, in bytes, of the memory given to every init.
 pub const HORUS_ALIGN: usize = 8;
@@ -37,16 +37,17 @@ pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 11008;
 #[cfg(target_pointer_width = "32")]
 pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 9888;
 
-/// Scratch words of a map with a one-byte field: enough for every radius it can take.
-pub(super) const SCRATCH_1: usize = scratch_words(15);
-/// Scratch words of a map with a two-byte field: enough for every radius it can take.
-pub(super) const SCRATCH_2: usize = scratch_words(31);
-
 // A constant that fails here is to be raised, and the header written anew.
 const _: () = {
     assert!(size_of::<Placed<Grid>>() <= HORUS_GRID_FIXED_BYTES);
     assert!(size_of::<Placed<Workspace>>() <= HORUS_SCAN_WORKSPACE_FIXED_BYTES);
-    let map = size_of::<Placed<AnyCostMap>>();
-    assert!(map + size_of::<CostTables<u8>>() + 4 * SCRATCH_1 <= HORUS_COST_MAP_1_FIXED_BYTES);
-    assert!(map + size_of::<CostTables<u16>>() + 4 * SCRATCH_2 <= HORUS_COST_MAP_2_FIXED_BYTES);
+    assert!(cost_map::<u8>(15) <= HORUS_COST_MAP_1_FIXED_BYTES);
+    assert!(cost_map::<u16>(31) <= HORUS_COST_MAP_2_FIXED_BYTES);
 };
+
+/// What a cost map takes besides its cells, with scratch memory for this radius.
+const fn cost_map<F: FieldCell>(radius: u32) -> usize {
+    let handle = size_of::<Placed<AnyCostMap>>().next_multiple_of(HORUS_ALIGN);
+    let object = handle + size_of::<CostMap<'static, F>>();
+    object + size_of::<CostTables<F>>() + size_of::<u32>() * scratch_words(radius)
+}

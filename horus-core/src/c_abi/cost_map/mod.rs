@@ -1,13 +1,13 @@
 //! The cost map.
 
 mod map;
+mod operations;
 mod params;
 mod reads;
 mod update;
 mod writes;
 
 pub(super) use map::AnyCostMap;
-use map::each;
 pub use map::*;
 pub use params::*;
 pub use reads::*;

@@ -1,4 +1,5 @@
-use super::{AnyCostMap, each, horus_cost_map};
+use super::horus_cost_map;
+use super::map::{cost_map, cost_map_mut};
 use crate::c_abi::call::{Call, Plain};
 use crate::c_abi::status::horus_status;
 use crate::costmap::{CostParams, Decay};
@@ -109,8 +110,8 @@ pub unsafe extern "C" fn horus_cost_map_params(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object::<AnyCostMap>(map)?;
-        let in_force = each!(map, map => *map.params());
+        let map = cost_map(claims, map)?;
+        let in_force = *map.params();
         claims.output(params)?.write(in_force.into());
         Ok(())
     })
@@ -128,8 +129,8 @@ pub unsafe extern "C" fn horus_cost_map_set_params(
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
         let params = claims.input(params)?.params()?;
-        let map = claims.object_mut::<AnyCostMap>(map)?;
-        each!(map, map => map.set_params(params))?;
+        let map = cost_map_mut(claims, map)?;
+        map.set_params(params)?;
         Ok(())
     })
 }
@@ -142,8 +143,8 @@ pub unsafe extern "C" fn horus_cost_map_effective_radius(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object::<AnyCostMap>(map)?;
-        let radius = each!(map, map => map.effective_radius());
+        let map = cost_map(claims, map)?;
+        let radius = map.effective_radius();
         claims.output(cells)?.write(radius);
         Ok(())
     })

@@ -1,6 +1,7 @@
 //! Reading a cost map.
 
-use super::{AnyCostMap, each, horus_cost_map};
+use super::horus_cost_map;
+use super::map::cost_map;
 use crate::c_abi::call::Call;
 use crate::c_abi::geometry::horus_point;
 use crate::c_abi::grid::horus_grid;
@@ -27,7 +28,7 @@ pub unsafe extern "C" fn horus_cost_map_grid(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        claims.object::<AnyCostMap>(map)?;
+        cost_map(claims, map)?;
         // Functions that read a grid know a cost map by its tag, those that write one refuse it.
         claims.output(grid)?.write(map.cast());
         Ok(())
@@ -46,9 +47,9 @@ pub unsafe extern "C" fn horus_cost_map_cost(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object::<AnyCostMap>(map)?;
+        let map = cost_map(claims, map)?;
         let cost = claims.output(cost)?;
-        cost.write(inside(each!(map, map => map.cost(x, y)))?);
+        cost.write(inside(map.cost(x, y))?);
         Ok(())
     })
 }
@@ -65,9 +66,9 @@ pub unsafe extern "C" fn horus_cost_map_cost_at(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object::<AnyCostMap>(map)?;
+        let map = cost_map(claims, map)?;
         let cost = claims.output(cost)?;
-        cost.write(inside(each!(map, map => map.cost_at(gx, gy)))?);
+        cost.write(inside(map.cost_at(gx, gy))?);
         Ok(())
     })
 }
@@ -84,7 +85,7 @@ pub unsafe extern "C" fn horus_cost_map_row(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object::<AnyCostMap>(map)?;
+        let map = cost_map(claims, map)?;
         let info = map.grid().info();
         inside((gy < info.height()).then_some(()))?;
         let width = info.width() as usize;
@@ -92,7 +93,7 @@ pub unsafe extern "C" fn horus_cost_map_row(
             return Err(horus_status::BufferTooSmall);
         }
         let to = claims.slice_mut(costs, width)?;
-        each!(map, map => to.iter_mut().zip(map.row(gy)).for_each(|(to, cost)| *to = cost));
+        map.copy_row(gy, to);
         Ok(())
     })
 }
@@ -109,9 +110,9 @@ pub unsafe extern "C" fn horus_cost_map_costs(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object::<AnyCostMap>(map)?;
+        let map = cost_map(claims, map)?;
         let (to, count) = (claims.output(costs)?, claims.output(count)?);
-        let costs = each!(map, map => map.costs()).ok_or(horus_status::NotKept)?;
+        let costs = map.costs().ok_or(horus_status::NotKept)?;
         to.write(costs.as_ptr());
         count.write(costs.len());
         Ok(())
@@ -132,10 +133,10 @@ pub unsafe extern "C" fn horus_cost_map_footprint_cost(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object::<AnyCostMap>(map)?;
+        let map = cost_map(claims, map)?;
         let vertices = claims.slice(vertices, count)?;
         let to = claims.output(under)?;
-        let under = each!(map, map => map.footprint_cost(pose, vertices))?;
+        let under = map.footprint_cost(pose, vertices)?;
         to.write(horus_footprint_cost {
             cost: under.cost.map_or(-1, i32::from),
             touches_unknown: under.touches_unknown,

@@ -1,6 +1,7 @@
 //! Bringing the costs up to date.
 
-use super::{AnyCostMap, each, horus_cost_map};
+use super::horus_cost_map;
+use super::map::{cost_map, cost_map_mut};
 use crate::c_abi::call::Call;
 use crate::c_abi::geometry::rect_or_empty;
 use crate::c_abi::status::horus_status;
@@ -21,8 +22,8 @@ pub struct horus_cost_update {
 pub unsafe extern "C" fn horus_cost_map_compute(map: *mut horus_cost_map) -> horus_status {
     // SAFETY: the pointer is the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object_mut::<AnyCostMap>(map)?;
-        each!(map, map => map.compute_costs());
+        let map = cost_map_mut(claims, map)?;
+        map.compute_costs();
         Ok(())
     })
 }
@@ -37,9 +38,9 @@ pub unsafe extern "C" fn horus_cost_map_update(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object_mut::<AnyCostMap>(map)?;
+        let map = cost_map_mut(claims, map)?;
         let changed = claims.output_or_null(changed)?;
-        changed.write(rect_or_empty(each!(map, map => map.update_costs())));
+        changed.write(rect_or_empty(map.update_costs()));
         Ok(())
     })
 }
@@ -57,9 +58,9 @@ pub unsafe extern "C" fn horus_cost_map_update_within(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object_mut::<AnyCostMap>(map)?;
+        let map = cost_map_mut(claims, map)?;
         let to = claims.output_or_null(update)?;
-        let update = each!(map, map => map.update_costs_within(budget))?;
+        let update = map.update_costs_within(budget)?;
         to.write(horus_cost_update {
             changed: rect_or_empty(update.changed),
             pending: update.pending,
@@ -76,8 +77,8 @@ pub unsafe extern "C" fn horus_cost_map_min_budget(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object::<AnyCostMap>(map)?;
-        let smallest = each!(map, map => map.min_budget());
+        let map = cost_map(claims, map)?;
+        let smallest = map.min_budget();
         claims.output(budget)?.write(smallest);
         Ok(())
     })
@@ -92,8 +93,8 @@ pub unsafe extern "C" fn horus_cost_map_calls_left(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object::<AnyCostMap>(map)?;
-        let left = each!(map, map => map.calls_left());
+        let map = cost_map(claims, map)?;
+        let left = map.calls_left();
         claims.output(calls)?.write(left);
         Ok(())
     })
@@ -107,8 +108,8 @@ pub unsafe extern "C" fn horus_cost_map_pending(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object::<AnyCostMap>(map)?;
-        let waiting = each!(map, map => map.pending());
+        let map = cost_map(claims, map)?;
+        let waiting = map.pending();
         claims.output(pending)?.write(waiting);
         Ok(())
     })

@@ -2,9 +2,11 @@
 
 use core::ffi::c_char;
 
-use super::{AnyCostMap, each, horus_cost_map};
+use super::horus_cost_map;
+use super::map::cost_map_mut;
 use crate::c_abi::call::Call;
 use crate::c_abi::geometry::horus_shift;
+use crate::c_abi::grid::one_per_cell;
 use crate::c_abi::scan::{
     ScanCall, horus_laser_scan, horus_scan_model, horus_scan_report, horus_scan_workspace,
 };
@@ -24,8 +26,8 @@ pub unsafe extern "C" fn horus_cost_map_set_occupancy(
 ) -> horus_status {
     // SAFETY: the pointer is the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object_mut::<AnyCostMap>(map)?;
-        inside(each!(map, map => map.set_occupancy(gx, gy, value)).then_some(()))
+        let map = cost_map_mut(claims, map)?;
+        inside(map.set_occupancy(gx, gy, value).then_some(()))
     })
 }
 
@@ -49,9 +51,9 @@ pub unsafe extern "C" fn horus_cost_map_integrate_scan(
     };
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object_mut::<AnyCostMap>(map)?;
+        let map = cost_map_mut(claims, map)?;
         call.run(claims, |scan, model, workspace| {
-            each!(map, map => map.integrate_scan(scan, sensor_pose, model, workspace))
+            map.integrate_scan(scan, sensor_pose, model, workspace)
         })
     })
 }
@@ -67,9 +69,9 @@ pub unsafe extern "C" fn horus_cost_map_recenter(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object_mut::<AnyCostMap>(map)?;
+        let map = cost_map_mut(claims, map)?;
         let shift = claims.output_or_null(shift)?;
-        shift.write(each!(map, map => map.recenter(pose))?.into());
+        shift.write(map.recenter(pose)?.into());
         Ok(())
     })
 }
@@ -85,9 +87,9 @@ pub unsafe extern "C" fn horus_cost_map_load(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object_mut::<AnyCostMap>(map)?;
-        let values = claims.slice(values, count)?;
-        each!(map, map => map.load(values))?;
+        let map = cost_map_mut(claims, map)?;
+        let values = one_per_cell(claims, map.grid(), values, count)?;
+        map.load(values)?;
         Ok(())
     })
 }
@@ -104,9 +106,9 @@ pub unsafe extern "C" fn horus_cost_map_set_header(
 ) -> horus_status {
     // SAFETY: the pointers are the caller's.
     unsafe { Call::from_c() }.run(|claims| {
-        let map = claims.object_mut::<AnyCostMap>(map)?;
+        let map = cost_map_mut(claims, map)?;
         let frame_id = text::input(claims, frame_id, length)?;
-        each!(map, map => map.set_header(frame_id, timestamp_ns));
+        map.set_header(frame_id, timestamp_ns);
         Ok(())
     })
 }
