@@ -9,6 +9,7 @@ use super::call::{Call, Claims, Plain};
 use super::geometry::rect_or_empty;
 use super::object::{self, Make, Object};
 use super::status::horus_status;
+use crate::error::Error;
 use crate::geometry::CellRect;
 use crate::grid::{LaserScan, ScanModel, ScanReport, ScanWorkspace};
 
@@ -217,7 +218,7 @@ impl ScanCall {
     pub(super) fn run(
         self,
         claims: &mut Claims<'_>,
-        integrate: impl FnOnce(&LaserScan<'_>, ScanModel, &mut Workspace) -> Result<ScanReport, crate::Error>,
+        integrate: impl FnOnce(&LaserScan<'_>, ScanModel, &mut Workspace) -> Result<ScanReport, Error>,
     ) -> Result<(), horus_status> {
         let scan = claims.input(self.scan)?;
         let scan = LaserScan {
