@@ -277,7 +277,7 @@ impl<'a, F: FieldCell> CostMap<'a, F> {
         self.layer.costs.as_deref()
     }
 
-    /// The highest known cost under a polygon (vertices in metres, in the frame of `pose`, which
+    /// The highest known cost under a polygon (vertices (x, y) in metres, in the frame of `pose`, which
     /// lies in the world frame), and whether the polygon touches unknown cells or leaves the map.
     /// A cell lies under it if its centre is inside (even-odd rule) or an edge crosses it.
     ///
