@@ -38,15 +38,16 @@ struct Vertex {
 }
 
 /// A polygon placed in a grid's window.
-struct Placed<'a> {
+struct Placed<'a, V> {
     info: &'a GridInfo,
     pose: Pose2D,
     cos_sin: (f32, f32),
-    polygon: &'a [(f32, f32)],
+    polygon: &'a [V],
 }
 
-impl Placed<'_> {
-    fn vertex(&self, (vx, vy): (f32, f32)) -> Option<Vertex> {
+impl<V: Copy + Into<(f32, f32)>> Placed<'_, V> {
+    fn vertex(&self, vertex: V) -> Option<Vertex> {
+        let (vx, vy) = vertex.into();
         let (c, s) = self.cos_sin;
         let (wx, wy) = (self.pose.x + (c * vx - s * vy), self.pose.y + (s * vx + c * vy));
         let cell = self.info.world_to_cell(wx, wy)?;
@@ -64,10 +65,10 @@ impl Placed<'_> {
     }
 }
 
-pub(crate) fn cost(
+pub(crate) fn cost<V: Copy + Into<(f32, f32)>>(
     info: &GridInfo,
     pose: Pose2D,
-    polygon: &[(f32, f32)],
+    polygon: &[V],
     cost_at: impl Fn(u32, u32) -> Option<u8>,
 ) -> Result<FootprintCost, Error> {
     if !pose.is_finite() {
@@ -92,6 +93,7 @@ pub(crate) fn cost(
         high = (high.0.max(x), high.1.max(y));
         under.leaves_map |= x as u32 >= width || y as u32 >= height;
         if let Some(walk) = GridWalk::new(from.cell, to.cell, End::Included, width, height) {
+            let width = width.max(1); // a walk has cells: says the same to the compiler
             walk.for_each(|i| under.add(cost_at(i as u32 % width, i as u32 / width)));
         }
     }
@@ -111,7 +113,7 @@ pub(crate) fn cost(
 
 /// The cells x0..x0 + 32 of row `gy` whose centres are inside by the even-odd rule: an edge that
 /// crosses the row's centre line at x flips the cells whose centre lies before x.
-fn parity(placed: &Placed<'_>, x0: u32, gy: u32) -> u32 {
+fn parity<V: Copy + Into<(f32, f32)>>(placed: &Placed<'_, V>, x0: u32, gy: u32) -> u32 {
     let cy = gy as f32 + 0.5;
     let mut inside = 0;
     for (a, b) in placed.edges() {

@@ -172,6 +172,11 @@ impl<'a, F: FieldCell> CostMap<'a, F> {
         self.layer.steps().largest()
     }
 
+    /// Changed cells and edge blocks that wait for an update; 0: every cost is exact.
+    pub fn pending(&self) -> u32 {
+        self.layer.pending()
+    }
+
     /// Upper bound on the calls of [`update_costs_within`](Self::update_costs_within), each with at
     /// least [`min_budget`](Self::min_budget), that make every cost exact if nothing else changes.
     pub fn calls_left(&self) -> u32 {
@@ -272,7 +277,7 @@ impl<'a, F: FieldCell> CostMap<'a, F> {
         self.layer.costs.as_deref()
     }
 
-    /// The highest known cost under a polygon (vertices in metres, in the frame of `pose`, which
+    /// The highest known cost under a polygon (vertices (x, y) in metres, in the frame of `pose`, which
     /// lies in the world frame), and whether the polygon touches unknown cells or leaves the map.
     /// A cell lies under it if its centre is inside (even-odd rule) or an edge crosses it.
     ///
@@ -283,7 +288,11 @@ impl<'a, F: FieldCell> CostMap<'a, F> {
     /// # Complexity
     /// One look-up per cell under it; per row of its bounding box inside the map and 32 columns,
     /// one float operation sequence per vertex.
-    pub fn footprint_cost(&self, pose: Pose2D, polygon: &[(f32, f32)]) -> Result<FootprintCost, Error> {
+    pub fn footprint_cost<V: Copy + Into<(f32, f32)>>(
+        &self,
+        pose: Pose2D,
+        polygon: &[V],
+    ) -> Result<FootprintCost, Error> {
         footprint::cost(self.grid.info(), pose, polygon, |gx, gy| self.cost_at(gx, gy))
     }
 }

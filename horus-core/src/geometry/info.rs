@@ -44,7 +44,7 @@ impl GridInfo {
     ///
     /// # Errors
     /// [`Error::InvalidResolution`], [`Error::NonFinitePose`]; [`Error::SizeOverflow`] if a side
-    /// exceeds 2^30 or the number of cells does not fit a `usize`.
+    /// exceeds 2^30, or the cells are 2^32 - 1 or more, or too many for the address space.
     pub fn new(width: u32, height: u32, resolution: f32, origin: Pose2D) -> Result<Self, Error> {
         if !(resolution.is_finite() && resolution > 0.0) {
             return Err(Error::InvalidResolution(resolution));
@@ -209,8 +209,8 @@ impl GridInfo {
     }
 }
 
-/// `width * height` where a slice of that many cells can exist.
+/// `width * height` where a slice of that many cells can exist and a `u32` can index it.
 fn checked_cells(width: u32, height: u32) -> Option<usize> {
     let cells = (width as usize).checked_mul(height as usize)?;
-    (cells <= isize::MAX as usize).then_some(cells)
+    (cells <= isize::MAX as usize && cells < u32::MAX as usize).then_some(cells)
 }

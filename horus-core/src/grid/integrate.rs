@@ -106,7 +106,7 @@ impl Beams<'_> {
             };
             let cell = hit.and_then(|(cx, cy)| self.info.index(cx as u32, cy as u32));
             if let Some(slot) = self.slots.get_mut(i) {
-                slot.hit = cell.unwrap_or(BeamSlot::NO_CELL);
+                slot.hit = cell.map_or(BeamSlot::NO_CELL, |i| i as u32);
             }
         }
     }
@@ -117,6 +117,7 @@ impl Beams<'_> {
             .iter()
             .map(|slot| slot.hit)
             .filter(|cell| *cell != BeamSlot::NO_CELL)
+            .map(|cell| cell as usize)
     }
 
     /// Every cell that a beam clears, as often as beams do; returns the hits and the misses.
@@ -136,7 +137,7 @@ impl Beams<'_> {
             let end = if slot.hit == BeamSlot::NO_CELL {
                 self.end(&slot.direction, range)
             } else {
-                let (gx, gy) = self.cell(slot.hit);
+                let (gx, gy) = self.cell(slot.hit as usize);
                 Some((gx as i32, gy as i32))
             };
             let Some(end) = end else {
@@ -152,8 +153,8 @@ impl Beams<'_> {
 
     /// Column and row of a linear index.
     fn cell(&self, i: usize) -> (u32, u32) {
-        let width = self.info.width().max(1) as usize;
-        ((i % width) as u32, (i / width) as u32)
+        let (i, width) = (i as u32, self.info.width().max(1));
+        (i % width, i / width)
     }
 }
 

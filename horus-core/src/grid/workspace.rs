@@ -27,12 +27,12 @@ pub struct ScanWorkspace<'a> {
 }
 
 /// What a workspace keeps of one beam: its direction in the sensor frame and, while a scan is
-/// integrated, the cell it ends in. 12 bytes on a 32-bit target.
+/// integrated, the cell it ends in. 12 bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct BeamSlot {
     pub(crate) direction: Vector2<f32>,
     /// Linear index of the cell the beam hits; [`NO_CELL`](Self::NO_CELL) if it hits none.
-    pub(crate) hit: usize,
+    pub(crate) hit: u32,
 }
 
 impl BeamSlot {
@@ -42,8 +42,8 @@ impl BeamSlot {
         hit: 0,
     };
 
-    /// No slice has this many cells.
-    pub(crate) const NO_CELL: usize = usize::MAX;
+    /// No grid has this many cells.
+    pub(crate) const NO_CELL: u32 = u32::MAX;
 }
 
 /// Storage for a [`ScanWorkspace`]: `BEAMS` beams and `WORDS` words of cell bits

@@ -1,6 +1,8 @@
 //! Prints the hashes of every scripted drive: the same lines on the host and on the target.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
+use horus_core::costmap::{CostBuffers, FieldCell};
+use horus_tests::c_drive;
 use horus_tests::drive::{self, FarBuffers, LidarBuffers, Line, NearBuffers};
 use horus_tests::rt::hprintln;
 
@@ -39,7 +41,26 @@ fn all() -> Result<(), horus_core::Error> {
     for scenario in drive::far_scenarios() {
         drive::run(&scenario, drive::FAR, far.split(), &mut workspace, print)?;
     }
-    Ok(())
+    // The drives that the C programs repeat.
+    static COSTS: Once<c_drive::Costs> = Once::new([0; size_of::<c_drive::Costs>()]);
+    let costs = COSTS.take();
+    c_drive::run(&c_drive::direct(), near.split(), &mut workspace, print)?;
+    c_drive::run(
+        &c_drive::budgeted(),
+        keep(near.split(), costs),
+        &mut workspace,
+        print,
+    )?;
+    c_drive::run(&c_drive::far(), keep(far.split(), costs), &mut workspace, print)
+}
+
+/// The same buffers, for a map that keeps its costs.
+fn keep<'a, F: FieldCell>(
+    (cells, buffers): (&'a mut [i8], CostBuffers<'a, F>),
+    costs: &'a mut [u8],
+) -> (&'a mut [i8], CostBuffers<'a, F>) {
+    let costs = Some(costs);
+    (cells, CostBuffers { costs, ..buffers })
 }
 
 /// A static that is handed out once.

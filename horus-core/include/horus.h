@@ -1,0 +1,723 @@
+/*
+ * Occupancy grids and incremental cost maps for microcontrollers.
+ *
+ * SI units, REP 103 axes, REP 105 frames, REP 117 ranges; angles in radians, counter-clockwise.
+ * Costs are bytes: 0 free .. 254 lethal, 255 unknown.
+ *
+ * Memory. Nothing is allocated. An object (horus_grid, horus_scan_workspace, horus_cost_map) lies
+ * with all its buffers in one block of your memory, aligned to HORUS_ALIGN: horus_..._bytes() tells
+ * how long, horus_..._init() makes it there, and its handle is the block's address. For static
+ * memory there are macros:
+ *
+ *     static HORUS_MEMORY(memory, HORUS_COST_MAP_BYTES(200, 200, 1, 0));
+ *
+ * While you use an object, leave its block alone: neither write, move nor free it, and read it only
+ * through the pointers that horus_grid_data() and horus_cost_map_costs() give. To end an object,
+ * use its memory for something else.
+ *
+ * Status. Every call that can fail returns a horus_status. Unless it is HORUS_STATUS_OK, nothing has
+ * changed and nothing was written; horus_status_text() says why in words. These are refused, not
+ * undefined: NULL, misaligned and overlapping pointers, memory that is too short, handles of another
+ * kind, objects that were copied or never made, numbers that are not what an enumeration names. What
+ * a call cannot see is yours: pointers must reach as many elements as their type and length say,
+ * memory must have been written before it is read (a handle's, too), and one object serves one call
+ * at a time, interrupts included. Arrays of length 0 may be NULL.
+ *
+ * Linking. Firmware without other Rust code builds the library with the feature panic-handler and
+ * provides `void horus_panic(void)`, which must not return. It is called if the library finds a
+ * defect of its own; no input is known to bring that about.
+ *
+ * Written by cbindgen from horus-core/src/c_abi. Do not edit.
+ */
+
+
+#ifndef HORUS_H
+#define HORUS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#if UINTPTR_MAX > 0xFFFFFFFFu
+#define HORUS_POINTERS_64
+#else
+#define HORUS_POINTERS_32
+#endif
+
+/// `bytes`, rounded up to a multiple of HORUS_ALIGN.
+#define HORUS_ROUND_UP(bytes) (((size_t)(bytes) + HORUS_ALIGN - 1) / HORUS_ALIGN * HORUS_ALIGN)
+
+/// Declares an array of at least `bytes` bytes that is aligned to HORUS_ALIGN.
+#define HORUS_MEMORY(name, bytes) uint64_t name[HORUS_ROUND_UP(bytes) / sizeof(uint64_t)]
+
+/// At least horus_grid_bytes(), as a constant expression.
+#define HORUS_GRID_BYTES(width, height) \
+    HORUS_ROUND_UP(HORUS_GRID_FIXED_BYTES + (size_t)(width) * (size_t)(height))
+
+/// At least horus_scan_workspace_bytes(), as a constant expression.
+#define HORUS_SCAN_WORKSPACE_BYTES(beams, accumulate_cells) \
+    HORUS_ROUND_UP(HORUS_SCAN_WORKSPACE_FIXED_BYTES + 12 * (size_t)(beams) + \
+                   4 * (((size_t)(accumulate_cells) + 31) / 32))
+
+/// Words of one bit per cell: every row starts a word.
+#define HORUS_BITMAP_WORDS(width, height) (((size_t)(width) + 31) / 32 * (size_t)(height))
+
+/// Words of source and change bits.
+#define HORUS_COST_MAP_BIT_WORDS(width, height) \
+    (2 * HORUS_BITMAP_WORDS(width, height) + (HORUS_BITMAP_WORDS(width, height) + 31) / 32 + \
+     2 * HORUS_BITMAP_WORDS(width, 1))
+
+/// At least horus_cost_map_bytes(), as a constant expression.
+#define HORUS_COST_MAP_BYTES(width, height, field_bytes, keep_costs) \
+    HORUS_ROUND_UP( \
+        ((field_bytes) == 1 ? HORUS_COST_MAP_1_FIXED_BYTES : HORUS_COST_MAP_2_FIXED_BYTES) + \
+        4 * HORUS_COST_MAP_BIT_WORDS(width, height) + \
+        (size_t)(width) * (size_t)(height) * (1 + (size_t)(field_bytes) + ((keep_costs) ? 1 : 0)))
+
+
+/// Version of the binary interface: compare it with horus_abi_version() to see that header and
+/// library belong together.
+#define HORUS_ABI_VERSION 1
+
+/// Alignment, in bytes, of the memory given to every init.
+#define HORUS_ALIGN 8
+
+#if defined(HORUS_POINTERS_64)
+/// Bytes of a grid besides its cells.
+#define HORUS_GRID_FIXED_BYTES 192
+#endif
+
+#if defined(HORUS_POINTERS_32)
+/// Bytes of a grid besides its cells.
+#define HORUS_GRID_FIXED_BYTES 176
+#endif
+
+#if defined(HORUS_POINTERS_64)
+/// Bytes of a scan workspace besides its beams and cells.
+#define HORUS_SCAN_WORKSPACE_FIXED_BYTES 80
+#endif
+
+#if defined(HORUS_POINTERS_32)
+/// Bytes of a scan workspace besides its beams and cells.
+#define HORUS_SCAN_WORKSPACE_FIXED_BYTES 48
+#endif
+
+#if defined(HORUS_POINTERS_64)
+/// Bytes of a cost map with a one-byte field besides its cells.
+#define HORUS_COST_MAP_1_FIXED_BYTES 3584
+#endif
+
+#if defined(HORUS_POINTERS_32)
+/// Bytes of a cost map with a one-byte field besides its cells.
+#define HORUS_COST_MAP_1_FIXED_BYTES 2976
+#endif
+
+#if defined(HORUS_POINTERS_64)
+/// Bytes of a cost map with a two-byte field besides its cells.
+#define HORUS_COST_MAP_2_FIXED_BYTES 11008
+#endif
+
+#if defined(HORUS_POINTERS_32)
+/// Bytes of a cost map with a two-byte field besides its cells.
+#define HORUS_COST_MAP_2_FIXED_BYTES 9888
+#endif
+
+/// Whether a call did what it was asked to. Anything but HORUS_STATUS_OK: nothing has changed and
+/// nothing was written, unless the function says otherwise.
+enum horus_status
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /// Done.
+    HORUS_STATUS_OK = 0,
+    /// A pointer is NULL.
+    HORUS_STATUS_NULL_POINTER = 1,
+    /// A pointer is not aligned for what it points to; memory for an object: to HORUS_ALIGN.
+    HORUS_STATUS_MISALIGNED = 2,
+    /// Two of the call's pointers reach the same memory, or one reaches into an object's memory.
+    HORUS_STATUS_OVERLAP = 3,
+    /// Not an object of this kind: never initialised, of another kind, moved, or overwritten.
+    HORUS_STATUS_INVALID_HANDLE = 4,
+    /// A size or a length is beyond the address space.
+    HORUS_STATUS_SIZE_OVERFLOW = 5,
+    /// The memory or a buffer is too short; for an object, its `bytes` function tells the length.
+    HORUS_STATUS_BUFFER_TOO_SMALL = 6,
+    /// An array has not exactly one element per cell.
+    HORUS_STATUS_LENGTH_MISMATCH = 7,
+    /// The cell or the point lies outside the grid, or the point is not finite.
+    HORUS_STATUS_OUTSIDE = 8,
+    /// A number is none of the named constants (decay, kind of scan model, bytes per field cell).
+    HORUS_STATUS_INVALID_CHOICE = 9,
+    /// A text is not UTF-8.
+    HORUS_STATUS_INVALID_TEXT = 10,
+    /// The cost map keeps no cost bytes.
+    HORUS_STATUS_NOT_KEPT = 11,
+    /// The resolution is not finite or not above zero.
+    HORUS_STATUS_INVALID_RESOLUTION = 12,
+    /// A coordinate of a pose is NaN or infinite.
+    HORUS_STATUS_NON_FINITE_POSE = 13,
+    /// The window would move beyond 2^30 cells.
+    HORUS_STATUS_OFFSET_OUT_OF_RANGE = 14,
+    /// An angle of the scan is not finite, or a range limit is NaN.
+    HORUS_STATUS_INVALID_SCAN = 15,
+    /// The scan model needs hit >= 0, miss <= 0 and 0 <= min <= max <= 100.
+    HORUS_STATUS_INVALID_MODEL = 16,
+    /// The workspace has too few beams for the scan or, accumulating, too few cells for the grid.
+    HORUS_STATUS_WORKSPACE_TOO_SMALL = 17,
+    /// inflation_radius must be finite and not negative.
+    HORUS_STATUS_INVALID_INFLATION_RADIUS = 18,
+    /// cost_scaling_factor must be finite and not negative.
+    HORUS_STATUS_INVALID_COST_SCALING_FACTOR = 19,
+    /// lethal_cost must be 2 to 254.
+    HORUS_STATUS_INVALID_LETHAL_COST = 20,
+    /// lethal_threshold must be 1 to 100.
+    HORUS_STATUS_INVALID_LETHAL_THRESHOLD = 21,
+    /// inscribed_radius must be finite and not negative.
+    HORUS_STATUS_INVALID_INSCRIBED_RADIUS = 22,
+    /// Costs reach farther than the field can hold: 15 cells with one byte, 255 with two.
+    HORUS_STATUS_RADIUS_TOO_LARGE = 23,
+    /// The budget is below horus_cost_map_min_budget().
+    HORUS_STATUS_BUDGET_TOO_SMALL = 24,
+    /// A polygon needs three or more finite vertices within 2^30 cells.
+    HORUS_STATUS_INVALID_POLYGON = 25,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum horus_status horus_status;
+#else
+typedef int32_t horus_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/// How inflated cost falls with the distance d (metres) to the nearest source.
+enum horus_decay
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /// HORUS: trunc((lethal_cost - 1) * (1 - d / R)^k) for d <= R.
+    HORUS_DECAY_POLYNOMIAL = 0,
+    /// nav2: 254 at d = 0, 253 up to the inscribed radius, then
+    /// trunc(252 * exp(-k * (d - inscribed_radius))) within R rounded up to whole cells.
+    HORUS_DECAY_EXPONENTIAL = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum horus_decay horus_decay;
+#else
+typedef int32_t horus_decay;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/// How a scan changes the cells it sees.
+enum horus_scan_model_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /// Cleared cells become 0, hit cells 100.
+    HORUS_SCAN_MODEL_KIND_SET = 0,
+    /// Hit cells take one step up, other cleared cells one step down; an unknown cell starts at 50.
+    HORUS_SCAN_MODEL_KIND_ACCUMULATE = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum horus_scan_model_kind horus_scan_model_kind;
+#else
+typedef int32_t horus_scan_model_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/// An occupancy grid with inflated costs that follow its every change. Costs are bytes: 0 free ..
+/// lethal_cost, 255 unknown. It lies in memory of its user.
+typedef struct horus_cost_map horus_cost_map;
+
+/// A rolling grid of occupancy values: -1 unknown, 0 free .. 100 occupied, row by row from the
+/// lowest y. It lies in memory of its user.
+typedef struct horus_grid horus_grid;
+
+/// What integrating scans of one lidar needs beside the grid: its beams' directions, computed again
+/// only when the scan's angles change. Keep one per lidar.
+typedef struct horus_scan_workspace horus_scan_workspace;
+
+/// Position in metres and heading in radians, counter-clockwise, in the frame its user names.
+///
+/// Plain fields, so that an all-zero one is the identity and costs no flash image in a `static`.
+typedef struct {
+    /// Metres along the frame's x axis.
+    float x;
+    /// Metres along the frame's y axis.
+    float y;
+    /// Heading in radians, counter-clockwise from the x axis.
+    float theta;
+} horus_pose2d;
+
+/// Size and place of a grid.
+typedef struct {
+    /// Columns.
+    uint32_t width;
+    /// Rows.
+    uint32_t height;
+    /// Metres per cell.
+    float resolution;
+    /// World pose of the corner (not the centre) of cell (0, 0).
+    horus_pose2d origin;
+} horus_grid_config;
+
+/// Whole cells along the grid's axes.
+typedef struct {
+    /// Columns.
+    int32_t dx;
+    /// Rows.
+    int32_t dy;
+} horus_shift;
+
+/// One revolution of a planar lidar: sensor_msgs/LaserScan's fields.
+///
+/// Beam i points to angle_min + i * angle_increment radians, counter-clockwise from the sensor's x
+/// axis. Ranges and limits are metres and follow REP 117: +inf, and from range_max on, is a miss
+/// at range_max; NaN, -inf and below range_min say nothing.
+typedef struct {
+    /// One range per beam.
+    const float *ranges;
+    /// Beams.
+    size_t count;
+    /// Angle of the first beam in radians.
+    float angle_min;
+    /// Angle between beams in radians; may be negative.
+    float angle_increment;
+    /// Ranges below this are too close to be measured.
+    float range_min;
+    /// Ranges from this on are misses.
+    float range_max;
+} horus_laser_scan;
+
+/// How a scan changes cells, and the steps of HORUS_SCAN_MODEL_KIND_ACCUMULATE.
+typedef struct {
+    /// A horus_scan_model_kind.
+    int32_t kind;
+    /// Added to a hit cell, >= 0.
+    int8_t hit;
+    /// Added to a cleared cell, <= 0.
+    int8_t miss;
+    /// Lowest value that a step leaves, >= 0.
+    int8_t min;
+    /// Highest value that a step leaves, <= 100.
+    int8_t max;
+} horus_scan_model;
+
+/// A half-open rectangle of cells: `x0 <= gx < x1`, `y0 <= gy < y1`, in grid indices.
+typedef struct {
+    /// First column.
+    uint32_t x0;
+    /// First row.
+    uint32_t y0;
+    /// One past the last column.
+    uint32_t x1;
+    /// One past the last row.
+    uint32_t y1;
+} horus_cell_rect;
+
+/// What a scan did to a grid.
+typedef struct {
+    /// Smallest rectangle of the cells whose value differs from before; all zero if none does.
+    horus_cell_rect changed;
+    /// Beams that ended at an obstacle, inside the map or not.
+    uint32_t hits;
+    /// Beams that saw nothing up to range_max.
+    uint32_t misses;
+    /// Beams without a usable range, or that end more than 2^30 cells away.
+    uint32_t ignored;
+} horus_scan_report;
+
+/// Size, resolution and place of a grid as it is now.
+typedef struct {
+    /// Columns.
+    uint32_t width;
+    /// Rows.
+    uint32_t height;
+    /// Metres per cell.
+    float resolution;
+    /// World pose of the corner of cell (0, 0); it moves with the window.
+    horus_pose2d origin;
+    /// Cells the window has moved since the grid was made.
+    horus_shift offset;
+} horus_map_info;
+
+/// A cell of a grid: column and row, from the corner at the origin.
+typedef struct {
+    /// Column.
+    uint32_t gx;
+    /// Row; row 0 has the lowest y.
+    uint32_t gy;
+} horus_cell;
+
+/// A point in metres, in the frame that its user names.
+typedef struct {
+    /// Metres along the frame's x axis.
+    float x;
+    /// Metres along the frame's y axis.
+    float y;
+} horus_point;
+
+/// Sizes of a horus_scan_workspace.
+typedef struct {
+    /// Most beams a scan may have.
+    uint32_t beams;
+    /// width * height of the largest grid that scans accumulate in; 0 if they only set cells.
+    uint32_t accumulate_cells;
+} horus_scan_workspace_config;
+
+/// Parameters of a cost map. Start from one of the presets.
+///
+/// The base cost of a cell with occupancy v: unknown 255; v >= lethal_threshold: lethal_cost; else
+/// min(2 * v, lethal_cost - 1). Lethal cells are the sources of inflation.
+typedef struct {
+    /// R, metres, finite and >= 0.
+    float inflation_radius;
+    /// k, finite and >= 0: an exponent (polynomial) or 1/m (exponential).
+    float cost_scaling_factor;
+    /// Metres, finite and >= 0; exponential only.
+    float inscribed_radius;
+    /// A horus_decay.
+    int32_t decay;
+    /// Cost of lethal cells, 2 .. 254.
+    uint8_t lethal_cost;
+    /// Lowest occupancy that is lethal, 1 .. 100.
+    int8_t lethal_threshold;
+    /// Not 0: unknown cells are sources, too.
+    uint8_t unknown_inflates;
+    /// Not 0: unknown cells take any inflated cost above zero, not only 253 and 254; exponential only.
+    uint8_t inflate_unknown;
+} horus_cost_params;
+
+/// Size, place, parameters and layout of a cost map.
+typedef struct {
+    /// The grid inside.
+    horus_grid_config grid;
+    /// How costs follow from cells.
+    horus_cost_params params;
+    /// Bytes per cell of the distance field: 1 for costs that reach up to 15 cells, 2 for up to 255.
+    uint8_t field_bytes;
+    /// Not 0: keep the costs of the last update as bytes, one per cell, for horus_cost_map_costs().
+    uint8_t keep_costs;
+} horus_cost_map_config;
+
+/// What a budgeted update did.
+typedef struct {
+    /// Every cost that differs from before the call lies in here; all zero if none does.
+    horus_cell_rect changed;
+    /// Changed cells and edge blocks that still wait; 0: every cost is exact.
+    uint32_t pending;
+} horus_cost_update;
+
+/// What lies under a polygon.
+typedef struct {
+    /// The highest known cost, 0 .. 254; -1 if no cell under the polygon is known.
+    int32_t cost;
+    /// A cell under the polygon is unknown.
+    bool touches_unknown;
+    /// Part of the polygon lies outside the map.
+    bool leaves_map;
+} horus_footprint_cost;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/// The HORUS_ABI_VERSION that the library was built with.
+uint32_t horus_abi_version(void);
+
+/// A status as a short English sentence, for ever; any number is legal.
+const char *horus_status_text(int32_t status);
+
+/// Bytes of memory that such a grid takes: one per cell, and a few.
+///
+/// Fails with HORUS_STATUS_INVALID_RESOLUTION, HORUS_STATUS_NON_FINITE_POSE,
+/// HORUS_STATUS_SIZE_OVERFLOW.
+horus_status horus_grid_bytes(const horus_grid_config *config, size_t *bytes);
+
+/// Makes a grid of unknown cells in `length` bytes of memory. 0 x 0 cells are legal.
+///
+/// Fails as horus_grid_bytes does, and with HORUS_STATUS_BUFFER_TOO_SMALL.
+horus_status horus_grid_init(void *memory,
+                             size_t length,
+                             const horus_grid_config *config,
+                             horus_grid **grid);
+
+/// Gives the grid a new size and place; every cell becomes unknown, texts and time are cleared.
+///
+/// Fails as horus_grid_bytes does; with HORUS_STATUS_BUFFER_TOO_SMALL if it was made with fewer
+/// cells.
+horus_status horus_grid_reset(horus_grid *grid, const horus_grid_config *config);
+
+/// Makes every cell unknown; the window stays where it is.
+horus_status horus_grid_clear(horus_grid *grid);
+
+/// Sets a cell, clamped to -1 .. 100.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_grid_set_occupancy(horus_grid *grid, uint32_t gx, uint32_t gy, int8_t value);
+
+/// Replaces all cells, row by row, each clamped to -1 .. 100.
+///
+/// Fails with HORUS_STATUS_LENGTH_MISMATCH unless count is width * height.
+horus_status horus_grid_load(horus_grid *grid, const int8_t *values, size_t count);
+
+/// Moves the window by whole cells so that the pose is nearest to its centre; tells by how many
+/// (`shift` may be NULL). Cells keep their contents, new ones are unknown.
+///
+/// Fails with HORUS_STATUS_NON_FINITE_POSE, HORUS_STATUS_OFFSET_OUT_OF_RANGE.
+horus_status horus_grid_recenter(horus_grid *grid, horus_pose2d pose, horus_shift *shift);
+
+/// Integrates a scan taken at a world pose of the sensor: beams clear cells up to their ends, then
+/// hits are marked. `report` may be NULL.
+///
+/// Fails with HORUS_STATUS_NON_FINITE_POSE, HORUS_STATUS_INVALID_SCAN, HORUS_STATUS_INVALID_MODEL,
+/// HORUS_STATUS_INVALID_CHOICE, HORUS_STATUS_WORKSPACE_TOO_SMALL.
+horus_status horus_grid_integrate_scan(horus_grid *grid,
+                                       const horus_laser_scan *scan,
+                                       horus_pose2d sensor_pose,
+                                       horus_scan_model model,
+                                       horus_scan_workspace *workspace,
+                                       horus_scan_report *report);
+
+/// Names the frame (UTF-8, at most 32 bytes are kept) and sets the time, in nanoseconds.
+///
+/// Fails with HORUS_STATUS_INVALID_TEXT.
+horus_status horus_grid_set_header(horus_grid *grid,
+                                   const char *frame_id,
+                                   size_t length,
+                                   uint64_t timestamp_ns);
+
+/// Sets the grid's free-form text (UTF-8, at most 64 bytes are kept).
+///
+/// Fails with HORUS_STATUS_INVALID_TEXT.
+horus_status horus_grid_set_metadata(horus_grid *grid, const char *metadata, size_t length);
+
+/// Size, resolution and place of the grid.
+horus_status horus_grid_info(const horus_grid *grid, horus_map_info *info);
+
+/// All cells, row by row: *count = width * height values at *data, to be read until the next call
+/// that changes the grid.
+horus_status horus_grid_data(const horus_grid *grid, const int8_t **data, size_t *count);
+
+/// The value of a cell.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_grid_occupancy(const horus_grid *grid, uint32_t gx, uint32_t gy, int8_t *value);
+
+/// Whether the world point lies in a cell with a value of 0 .. 49; not if unknown or outside.
+horus_status horus_grid_is_free(const horus_grid *grid, float x, float y, bool *free);
+
+/// Whether the world point lies in a cell with a value of 50 .. 100; not if unknown or outside.
+horus_status horus_grid_is_occupied(const horus_grid *grid, float x, float y, bool *occupied);
+
+/// The cell that holds a world point; one on a boundary belongs to the upper cell.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_grid_world_to_grid(const horus_grid *grid, float x, float y, horus_cell *cell);
+
+/// The world point at the centre of a cell.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_grid_grid_to_world(const horus_grid *grid,
+                                      uint32_t gx,
+                                      uint32_t gy,
+                                      horus_point *point);
+
+/// The frame's name with its terminating zero, into a text of `length` bytes: 33 suffice.
+///
+/// Fails with HORUS_STATUS_BUFFER_TOO_SMALL.
+horus_status horus_grid_frame_id(const horus_grid *grid, char *frame_id, size_t length);
+
+/// The free-form text with its terminating zero, into a text of `length` bytes: 65 suffice.
+///
+/// Fails with HORUS_STATUS_BUFFER_TOO_SMALL.
+horus_status horus_grid_metadata(const horus_grid *grid, char *metadata, size_t length);
+
+/// The grid's time in nanoseconds.
+horus_status horus_grid_timestamp(const horus_grid *grid, uint64_t *timestamp_ns);
+
+/// The model that sets cells to 0 and 100.
+horus_scan_model horus_scan_model_set(void);
+
+/// The model that accumulates: +20 per hit, -7 per miss, between 0 and 100.
+horus_scan_model horus_scan_model_accumulate(void);
+
+/// Bytes of memory that such a workspace takes: 8 per beam, one bit per cell, and a few.
+///
+/// Fails with HORUS_STATUS_SIZE_OVERFLOW.
+horus_status horus_scan_workspace_bytes(const horus_scan_workspace_config *config, size_t *bytes);
+
+/// Makes a workspace in `length` bytes of memory.
+///
+/// Fails with HORUS_STATUS_BUFFER_TOO_SMALL, HORUS_STATUS_SIZE_OVERFLOW.
+horus_status horus_scan_workspace_init(void *memory,
+                                       size_t length,
+                                       const horus_scan_workspace_config *config,
+                                       horus_scan_workspace **workspace);
+
+/// Bytes of memory that such a cost map takes.
+///
+/// Fails with HORUS_STATUS_INVALID_RESOLUTION, HORUS_STATUS_NON_FINITE_POSE,
+/// HORUS_STATUS_SIZE_OVERFLOW, HORUS_STATUS_INVALID_CHOICE, and one of HORUS_STATUS_INVALID_... for
+/// a parameter.
+horus_status horus_cost_map_bytes(const horus_cost_map_config *config, size_t *bytes);
+
+/// Makes a cost map of unknown cells in `length` bytes of memory and computes its costs.
+///
+/// Fails as horus_cost_map_bytes() does, and with HORUS_STATUS_BUFFER_TOO_SMALL; with
+/// HORUS_STATUS_RADIUS_TOO_LARGE the memory holds no object.
+horus_status horus_cost_map_init(void *memory,
+                                 size_t length,
+                                 const horus_cost_map_config *config,
+                                 horus_cost_map **map);
+
+/// horus_cost_map_init() for a one-byte field only: an image that makes its maps with it does not
+/// hold the code for two bytes.
+///
+/// Fails as it does; with HORUS_STATUS_INVALID_CHOICE unless field_bytes is 1.
+horus_status horus_cost_map_init_1(void *memory,
+                                   size_t length,
+                                   const horus_cost_map_config *config,
+                                   horus_cost_map **map);
+
+/// horus_cost_map_init() for a two-byte field only, likewise.
+///
+/// Fails as it does; with HORUS_STATUS_INVALID_CHOICE unless field_bytes is 2.
+horus_status horus_cost_map_init_2(void *memory,
+                                   size_t length,
+                                   const horus_cost_map_config *config,
+                                   horus_cost_map **map);
+
+/// The default parameters: R 0.55 m, k 10, polynomial, lethal from occupancy 50 on.
+horus_cost_params horus_cost_params_default(void);
+
+/// HORUS 0.4.1: the defaults, but lethal from occupancy 65 on, and unknown cells inflate.
+horus_cost_params horus_cost_params_horus(void);
+
+/// nav2's inflation layer: exponential, lethal cost 254 from occupancy 100 on.
+horus_cost_params horus_cost_params_nav2(void);
+
+/// The parameters in force.
+horus_status horus_cost_map_params(const horus_cost_map *map, horus_cost_params *params);
+
+/// Takes new parameters and recomputes everything before it returns.
+///
+/// Fails with HORUS_STATUS_INVALID_CHOICE, one of HORUS_STATUS_INVALID_... for a parameter,
+/// HORUS_STATUS_RADIUS_TOO_LARGE.
+horus_status horus_cost_map_set_params(horus_cost_map *map, const horus_cost_params *params);
+
+/// Largest offset, in cells, at which a source still costs something.
+horus_status horus_cost_map_effective_radius(const horus_cost_map *map, uint32_t *cells);
+
+/// Sets a cell, clamped to -1 .. 100; its costs follow with the next update.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_cost_map_set_occupancy(horus_cost_map *map,
+                                          uint32_t gx,
+                                          uint32_t gy,
+                                          int8_t value);
+
+/// Integrates a scan as horus_grid_integrate_scan() does; costs follow with the next update.
+///
+/// Fails as it does.
+horus_status horus_cost_map_integrate_scan(horus_cost_map *map,
+                                           const horus_laser_scan *scan,
+                                           horus_pose2d sensor_pose,
+                                           horus_scan_model model,
+                                           horus_scan_workspace *workspace,
+                                           horus_scan_report *report);
+
+/// Moves the window as horus_grid_recenter() does; costs move with their cells.
+///
+/// Fails as it does.
+horus_status horus_cost_map_recenter(horus_cost_map *map, horus_pose2d pose, horus_shift *shift);
+
+/// Replaces all cells, row by row, each clamped to -1 .. 100, and recomputes everything.
+///
+/// Fails with HORUS_STATUS_LENGTH_MISMATCH unless count is width * height.
+horus_status horus_cost_map_load(horus_cost_map *map, const int8_t *values, size_t count);
+
+/// Names the frame (UTF-8, at most 32 bytes are kept) and sets the time, in nanoseconds.
+///
+/// Fails with HORUS_STATUS_INVALID_TEXT.
+horus_status horus_cost_map_set_header(horus_cost_map *map,
+                                       const char *frame_id,
+                                       size_t length,
+                                       uint64_t timestamp_ns);
+
+/// Computes every cost from the cells.
+horus_status horus_cost_map_compute(horus_cost_map *map);
+
+/// Brings every cost up to date with all changes since the last update: equal to
+/// horus_cost_map_compute() in every byte. `changed`, which may be NULL, becomes the rectangle that
+/// contains every cost that changed, all zero if none did; after a window shift the whole map.
+horus_status horus_cost_map_update(horus_cost_map *map, horus_cell_rect *changed);
+
+/// Updates, but stops before it exceeds `budget` cell visits (one field or cost byte read or
+/// written, or one bitmap word), and goes on with the next call. Sources that appeared come first:
+/// once they are in, no known cell is cheaper than its final cost. `update` may be NULL.
+///
+/// Fails with HORUS_STATUS_BUDGET_TOO_SMALL.
+horus_status horus_cost_map_update_within(horus_cost_map *map,
+                                          uint32_t budget,
+                                          horus_cost_update *update);
+
+/// The smallest budget, in cell visits; it depends on the parameters.
+horus_status horus_cost_map_min_budget(const horus_cost_map *map, uint32_t *budget);
+
+/// Upper bound on the calls of horus_cost_map_update_within() that make every cost exact if nothing
+/// else changes.
+horus_status horus_cost_map_calls_left(const horus_cost_map *map, uint32_t *calls);
+
+/// Changed cells and edge blocks that wait for an update; 0: every cost is exact.
+horus_status horus_cost_map_pending(const horus_cost_map *map, uint32_t *pending);
+
+/// The grid inside, for the functions that read one: a handle that lives as long as the map's.
+horus_status horus_cost_map_grid(const horus_cost_map *map, const horus_grid **grid);
+
+/// The cost at a world point.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_cost_map_cost(const horus_cost_map *map, float x, float y, uint8_t *cost);
+
+/// The cost of a cell.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_cost_map_cost_at(const horus_cost_map *map,
+                                    uint32_t gx,
+                                    uint32_t gy,
+                                    uint8_t *cost);
+
+/// Copies the costs of a row into `costs`, which has room for `length` bytes: its width suffices.
+///
+/// Fails with HORUS_STATUS_OUTSIDE, HORUS_STATUS_BUFFER_TOO_SMALL.
+horus_status horus_cost_map_row(const horus_cost_map *map,
+                                uint32_t gy,
+                                uint8_t *costs,
+                                size_t length);
+
+/// The kept costs as of the last update, row by row: *count = width * height bytes at *costs, to be
+/// read until the next call that changes the map.
+///
+/// Fails with HORUS_STATUS_NOT_KEPT.
+horus_status horus_cost_map_costs(const horus_cost_map *map, const uint8_t **costs, size_t *count);
+
+/// The highest known cost under a polygon, and whether it touches unknown cells or leaves the map.
+/// The vertices lie in the frame of `pose`, which lies in the world frame.
+///
+/// Fails with HORUS_STATUS_NON_FINITE_POSE, HORUS_STATUS_INVALID_POLYGON.
+horus_status horus_cost_map_footprint_cost(const horus_cost_map *map,
+                                           horus_pose2d pose,
+                                           const horus_point *vertices,
+                                           size_t count,
+                                           horus_footprint_cost *under);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* HORUS_H */

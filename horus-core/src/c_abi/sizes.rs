@@ -1,0 +1,53 @@
+//! What the header's macros for static memory are made of, held to the objects they stand for.
+
+use super::cost_map::AnyCostMap;
+use super::grid::Grid;
+use super::object::Placed;
+use super::scan::Workspace;
+use crate::costmap::{CostMap, CostTables, FieldCell, scratch_words};
+
+/// Alignment, in bytes, of the memory given to every init.
+pub const HORUS_ALIGN: usize = 8;
+
+/// Bytes of a grid besides its cells.
+#[cfg(target_pointer_width = "64")]
+pub const HORUS_GRID_FIXED_BYTES: usize = 192;
+/// Bytes of a grid besides its cells.
+#[cfg(target_pointer_width = "32")]
+pub const HORUS_GRID_FIXED_BYTES: usize = 176;
+
+/// Bytes of a scan workspace besides its beams and cells.
+#[cfg(target_pointer_width = "64")]
+pub const HORUS_SCAN_WORKSPACE_FIXED_BYTES: usize = 80;
+/// Bytes of a scan workspace besides its beams and cells.
+#[cfg(target_pointer_width = "32")]
+pub const HORUS_SCAN_WORKSPACE_FIXED_BYTES: usize = 48;
+
+/// Bytes of a cost map with a one-byte field besides its cells.
+#[cfg(target_pointer_width = "64")]
+pub const HORUS_COST_MAP_1_FIXED_BYTES: usize = 3584;
+/// Bytes of a cost map with a one-byte field besides its cells.
+#[cfg(target_pointer_width = "32")]
+pub const HORUS_COST_MAP_1_FIXED_BYTES: usize = 2976;
+
+/// Bytes of a cost map with a two-byte field besides its cells.
+#[cfg(target_pointer_width = "64")]
+pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 11008;
+/// Bytes of a cost map with a two-byte field besides its cells.
+#[cfg(target_pointer_width = "32")]
+pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 9888;
+
+// A constant that fails here is to be raised, and the header written anew.
+const _: () = {
+    assert!(size_of::<Placed<Grid>>() <= HORUS_GRID_FIXED_BYTES);
+    assert!(size_of::<Placed<Workspace>>() <= HORUS_SCAN_WORKSPACE_FIXED_BYTES);
+    assert!(cost_map::<u8>(15) <= HORUS_COST_MAP_1_FIXED_BYTES);
+    assert!(cost_map::<u16>(31) <= HORUS_COST_MAP_2_FIXED_BYTES);
+};
+
+/// What a cost map takes besides its cells, with scratch memory for this radius.
+const fn cost_map<F: FieldCell>(radius: u32) -> usize {
+    let handle = size_of::<Placed<AnyCostMap>>().next_multiple_of(HORUS_ALIGN);
+    let object = handle + size_of::<CostMap<'static, F>>();
+    object + size_of::<CostTables<F>>() + size_of::<u32>() * scratch_words(radius)
+}
