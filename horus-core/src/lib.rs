@@ -7,7 +7,7 @@
 //!
 //! # Layers
 //! Each uses only what stands left of it:
-//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`costmap`].
+//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`costmap`] < [`frames`].
 //!
 //! # Frames and units
 //! SI units, REP 103 axes, REP 105 frames, REP 117 ranges; angles in radians, counter-clockwise.
@@ -15,6 +15,7 @@
 
 pub mod costmap;
 pub mod error;
+pub mod frames;
 pub mod geometry;
 pub mod grid;
 mod math;

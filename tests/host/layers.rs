@@ -4,7 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the lowest to the highest.
-const LAYERS: [&str; 7] = ["error", "math", "storage", "geometry", "walk", "grid", "costmap"];
+const LAYERS: [&str; 8] = [
+    "error", "math", "storage", "geometry", "walk", "grid", "costmap", "frames",
+];
 /// Modules that may name everything.
 const TOP: [&str; 2] = ["lib", "prelude"];
 
