@@ -63,7 +63,10 @@ pub fn run<F: FieldCell>(
         tick.shift.into_iter().for_each(|by| scan.word(by as u32));
         let report = &tick.report;
         let counts = [report.hits, report.misses, report.ignored];
-        counts.into_iter().chain(tick.pending).for_each(|word| scan.word(word));
+        counts
+            .into_iter()
+            .chain(tick.pending)
+            .for_each(|word| scan.word(word));
         line("scan", scan);
         let mut cells = Hash::default();
         let values = map.occupancy_grid().data().iter();

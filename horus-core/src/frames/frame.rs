@@ -56,8 +56,6 @@ impl<'a> Frame<'a> {
             TICK_END => TickEnd::take(&mut from).map(Self::TickEnd),
             _ => return Err(Unreadable::UnknownKind),
         };
-        frame
-            .filter(|_| from.is_empty())
-            .ok_or(Unreadable::Malformed)
+        frame.filter(|_| from.is_empty()).ok_or(Unreadable::Malformed)
     }
 }

@@ -80,7 +80,12 @@ impl<'a> RowsPart<'a> {
                 }
                 at = end;
             } else {
-                let n = length(byte - token::COPY, token::SHORTEST_COPY, token::LONG_COPY, &mut from)?;
+                let n = length(
+                    byte - token::COPY,
+                    token::SHORTEST_COPY,
+                    token::LONG_COPY,
+                    &mut from,
+                )?;
                 let end = at.checked_add(n).filter(|end| *end <= all)?;
                 if at < first_row {
                     return None;
@@ -100,7 +105,11 @@ impl<'a> RowsPart<'a> {
 /// The length of a run or copy whose first byte says `code`.
 fn length(code: u8, shortest: u32, long: u32, from: &mut Take<'_>) -> Option<usize> {
     let n = shortest + u32::from(code);
-    let n = if n == long { long.checked_add(from.varint()?)? } else { n };
+    let n = if n == long {
+        long.checked_add(from.varint()?)?
+    } else {
+        n
+    };
     Some(n as usize)
 }
 

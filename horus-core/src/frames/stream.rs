@@ -191,7 +191,8 @@ impl<'b, S: FnMut(&[u8])> MapStream<'b, S> {
     }
 
     fn is_key_due(&self, params: &CostParams) -> bool {
-        let is_periodic = self.options.key_every > 0 && self.since[0].saturating_add(1) >= self.options.key_every;
+        let is_periodic =
+            self.options.key_every > 0 && self.since[0].saturating_add(1) >= self.options.key_every;
         is_periodic || self.last.is_none_or(|(last, _)| last != *params)
     }
 
@@ -200,10 +201,7 @@ impl<'b, S: FnMut(&[u8])> MapStream<'b, S> {
         let offset = map.info().offset();
         let last = self.last.replace((*map.params(), offset));
         let shift = last.map_or([0; 2], |(_, last)| {
-            [
-                offset[0].wrapping_sub(last[0]),
-                offset[1].wrapping_sub(last[1]),
-            ]
+            [offset[0].wrapping_sub(last[0]), offset[1].wrapping_sub(last[1])]
         });
         self.occupancy.shift(shift);
         self.costs.shift(shift);
@@ -229,9 +227,12 @@ fn whole<F: FieldCell>(map: &CostMap<'_, F>) -> CellRect {
 
 fn checksum_of<F: FieldCell>(map: &CostMap<'_, F>) -> MapChecksum {
     let cells = map.occupancy_grid().data().iter().map(|cell| *cell as u8);
-    let rows = 0..map.info().height();
+    let costs = match map.costs() {
+        Some(kept) => Crc32::of(kept.iter().copied()),
+        None => Crc32::of((0..map.info().height()).flat_map(|gy| map.row(gy))),
+    };
     MapChecksum {
         occupancy: Crc32::of(cells),
-        costs: Crc32::of(rows.flat_map(|gy| map.row(gy))),
+        costs,
     }
 }

@@ -79,26 +79,28 @@ impl<'b, S: FnMut(&[u8])> FrameWriter<'b, S> {
     /// # Complexity
     /// Two reads per cell in the rectangle, at most one byte and 1/64 per cell.
     pub fn occupancy<C: AsRef<[i8]>>(&mut self, grid: &OccupancyGrid<C>, rect: CellRect) {
-        let width = grid.width() as usize;
-        let row = |gy: u32| {
-            let start = gy as usize * width;
-            let cells = grid
-                .data()
-                .get(start + rect.x0 as usize..start + width.min(rect.x1 as usize));
-            cells.unwrap_or_default().iter().map(|cell| *cell as u8)
-        };
-        self.rows(MapLayer::Occupancy, (grid.width(), grid.height()), rect, row);
+        let (size, data) = ((grid.width(), grid.height()), grid.data());
+        let row = |gy| part(data, size.0, gy, rect).iter().map(|cell| *cell as u8);
+        self.rows(MapLayer::Occupancy, size, rect, row);
     }
 
-    /// Writes the costs in a rectangle, cut to the map, in as many frames as it takes: those that
-    /// [`CostMap::row`] shows.
+    /// Writes the costs in a rectangle, cut to the map, in as many frames as it takes: the kept
+    /// bytes where there are any, as of the last update, else the present ones.
     ///
     /// # Complexity
-    /// As [`occupancy`](Self::occupancy); each read is a table look-up.
+    /// As [`occupancy`](Self::occupancy); without kept bytes each read is a table look-up.
     pub fn costs<F: FieldCell>(&mut self, map: &CostMap<'_, F>, rect: CellRect) {
         let size = (map.info().width(), map.info().height());
-        let row = |gy: u32| map.row_part(gy, rect.x0, rect.x1);
-        self.rows(MapLayer::Costs, size, rect, row);
+        match map.costs() {
+            Some(kept) => {
+                let row = |gy| part(kept, size.0, gy, rect).iter().copied();
+                self.rows(MapLayer::Costs, size, rect, row);
+            }
+            None => {
+                let row = |gy| map.row_part(gy, rect.x0, rect.x1);
+                self.rows(MapLayer::Costs, size, rect, row);
+            }
+        }
     }
 
     fn rows<I: Iterator<Item = u8>>(
@@ -133,4 +135,13 @@ impl<'b, S: FnMut(&[u8])> FrameWriter<'b, S> {
 fn begin<'p, P: Payload<'p>>(packer: &mut Packer<'_>, payload: &P) {
     packer.begin(P::KIND);
     packer.put(|out| payload.put(out));
+}
+
+/// The cells of a rectangle in row `gy`, which lies in the grid.
+fn part<T>(cells: &[T], width: u32, gy: u32, rect: CellRect) -> &[T] {
+    let start = gy as usize * width as usize;
+    let columns = rect.x0 as usize..rect.x1.min(width) as usize;
+    cells
+        .get(start + columns.start..start + columns.end)
+        .unwrap_or_default()
 }

@@ -96,7 +96,8 @@ fn serial(path: &Path, baud: u32) -> anyhow::Result<Option<Box<dyn Read + Send>>
 #[cfg(unix)]
 fn may_be_serial(path: &Path) -> bool {
     use std::os::unix::fs::FileTypeExt;
-    path.metadata().is_ok_and(|file| file.file_type().is_char_device())
+    path.metadata()
+        .is_ok_and(|file| file.file_type().is_char_device())
 }
 
 #[cfg(not(unix))]

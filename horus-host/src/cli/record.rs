@@ -119,8 +119,16 @@ fn record(options: &RecordOptions, source: ByteSource) -> anyhow::Result<Recorde
         reasons.extend(source_error);
         reasons.retain(|reason| !reason.is_empty());
         let reasons = reasons.join("; ");
-        let why = if reasons.is_empty() { String::new() } else { format!(": {reasons}") };
-        bail!("{name}: no whole tick in {} bytes and {} frames{why}", reader.bytes(), reader.frames());
+        let why = if reasons.is_empty() {
+            String::new()
+        } else {
+            format!(": {reasons}")
+        };
+        bail!(
+            "{name}: no whole tick in {} bytes and {} frames{why}",
+            reader.bytes(),
+            reader.frames()
+        );
     };
     Ok(Recorded {
         source: name.to_string(),
@@ -138,9 +146,15 @@ fn record(options: &RecordOptions, source: ByteSource) -> anyhow::Result<Recorde
 
 /// Checks that the log can be written and is not its own source; whether it is a new file.
 fn check_output(stream: &Path, out: &Path) -> anyhow::Result<bool> {
-    let same = |a: &Path, b: &Path| a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b));
+    let same = |a: &Path, b: &Path| {
+        a.canonicalize()
+            .is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
+    };
     if same(stream, out) {
-        bail!("{}: the stream would be overwritten by its own log", stream.display());
+        bail!(
+            "{}: the stream would be overwritten by its own log",
+            stream.display()
+        );
     }
     let is_new = !out.exists();
     let opened = OpenOptions::new().append(true).create(true).open(out);
@@ -204,7 +218,11 @@ impl Recorded {
 impl fmt::Display for Recorded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "source          {}", self.source)?;
-        writeln!(f, "bytes           {}, {} outside of frames", self.bytes, self.bytes_outside_frames)?;
+        writeln!(
+            f,
+            "bytes           {}, {} outside of frames",
+            self.bytes, self.bytes_outside_frames
+        )?;
         writeln!(f, "frames          {}", self.frames)?;
         writeln!(f, "ticks           {}", self.ticks)?;
         if self.skipped_ticks > 0 {
@@ -214,7 +232,10 @@ impl fmt::Display for Recorded {
             writeln!(f, "problem         {line}")?;
         }
         if let Some(error) = &self.source_error {
-            writeln!(f, "problem         the stream could not be read to its end: {error}")?;
+            writeln!(
+                f,
+                "problem         the stream could not be read to its end: {error}"
+            )?;
         }
         for file in &self.files {
             writeln!(f, "wrote           {}", file.display())?;

@@ -109,7 +109,12 @@ impl Session<'_> {
     fn start_logs(&self, out: &OutDir) -> anyhow::Result<[MapLog; 2]> {
         let start = |name: &str, side: &str| {
             let metadata = metadata(&self.config, &self.frames.odom, side);
-            MapLog::create(&out.file(name), MapGeometry::from(&self.config), self.frames, metadata)
+            MapLog::create(
+                &out.file(name),
+                MapGeometry::from(&self.config),
+                self.frames,
+                metadata,
+            )
         };
         let [core, std] = LOG_NAMES;
         Ok([start(core, "core")?, start(std, "std")?])

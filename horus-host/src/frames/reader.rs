@@ -2,11 +2,11 @@ use std::io::{self, ErrorKind, Read};
 
 use horus_core::frames::{Frame, FrameHeader, Unreadable, VERSION};
 
+use super::StreamedTick;
 use super::assembler::Assembler;
 use super::order::{Order, Sequence};
 use super::parser::{Found, FrameParser};
 use super::problem::{ProblemKind, Problems};
-use super::StreamedTick;
 use crate::lockstep::LockstepConfig;
 
 /// Bytes that are read at once.

@@ -44,14 +44,30 @@ fn stream() -> Result<(), Error> {
     let mut buffer = [0; BUFFER];
     let mut stream = MapStream::new_in(&mut buffer, sink, streaming::options(&scenario))?;
     let (mut keys, mut others) = (Sizes::default(), Sizes::default());
-    drive::run(&scenario, SIDE, map.split(), &mut lidar.workspace(), |map, tick| {
-        let before = sent.get();
-        let is_key = stream.tick(map, &streaming::tick(tick));
-        let sizes = if is_key { &mut keys } else { &mut others };
-        sizes.add(sent.get() - before);
-    })?;
-    note!("bytes of {} key ticks: mean {}, most {}", keys.count, keys.mean(), keys.most);
-    note!("bytes of {} other ticks: mean {}, most {}", others.count, others.mean(), others.most);
+    drive::run(
+        &scenario,
+        SIDE,
+        map.split(),
+        &mut lidar.workspace(),
+        |map, tick| {
+            let before = sent.get();
+            let is_key = stream.tick(map, &streaming::tick(tick));
+            let sizes = if is_key { &mut keys } else { &mut others };
+            sizes.add(sent.get() - before);
+        },
+    )?;
+    note!(
+        "bytes of {} key ticks: mean {}, most {}",
+        keys.count,
+        keys.mean(),
+        keys.most
+    );
+    note!(
+        "bytes of {} other ticks: mean {}, most {}",
+        others.count,
+        others.mean(),
+        others.most
+    );
     Ok(())
 }
 
