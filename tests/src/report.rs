@@ -47,7 +47,7 @@ pub fn run<F: FieldCell>(
     let mut buffer = [0; MIN_BUFFER];
     let mut stream = MapStream::new_in(&mut buffer, sink, streaming::options(scenario))?;
     drive::run(scenario, side, storage, workspace, |map, tick| {
-        stream.tick(map, &streaming::tick(tick));
+        stream.tick(map, &streaming::tick(map, tick));
         if tick.number % EVERY != EVERY - 1 {
             return;
         }

@@ -51,7 +51,7 @@ fn stream() -> Result<(), Error> {
         &mut lidar.workspace(),
         |map, tick| {
             let before = sent.get();
-            let is_key = stream.tick(map, &streaming::tick(tick));
+            let is_key = stream.tick(map, &streaming::tick(map, tick));
             let sizes = if is_key { &mut keys } else { &mut others };
             sizes.add(sent.get() - before);
         },
