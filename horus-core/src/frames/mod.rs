@@ -42,6 +42,7 @@ mod pending;
 mod row_coder;
 mod rows;
 mod scan;
+mod segment;
 mod session;
 mod stream;
 mod tick;

@@ -1,12 +1,13 @@
 use super::packer::Packer;
 use super::rows::token;
+use super::segment::Segment;
 use super::{MapLayer, Payload, RowsPart};
 use crate::geometry::CellRect;
 
 /// Codes the cells of a rectangle, one after the other, into as many frames as it takes.
 ///
-/// Cells wait as a *segment* as long as all of them are equal, or all equal the cell below them;
-/// the cell that ends both starts the next one. So each cell is looked at once.
+/// Cells wait as a [`Segment`] until one comes that does not belong to it and starts the next. So each
+/// cell is looked at once, and once more as the one below.
 pub(super) struct RowCoder<'c, 'b> {
     packer: &'c mut Packer<'b>,
     sink: &'c mut dyn FnMut(&[u8]),
@@ -16,13 +17,7 @@ pub(super) struct RowCoder<'c, 'b> {
     coded: u32,
     /// The open literal: where its first byte stands, and its cells; 0 cells: none is open.
     literal: (usize, u8),
-    /// First cell of the segment.
-    value: u8,
-    /// Cells of the segment, and how many of them are equal, and equal to the cell below, up to
-    /// the first that is not.
-    len: u32,
-    run: u32,
-    copy: u32,
+    segment: Segment,
 }
 
 impl<'c, 'b> RowCoder<'c, 'b> {
@@ -39,10 +34,7 @@ impl<'c, 'b> RowCoder<'c, 'b> {
             rect,
             coded: 0,
             literal: (0, 0),
-            value: 0,
-            len: 0,
-            run: 0,
-            copy: 0,
+            segment: Segment::default(),
         };
         coder.begin_frame();
         coder
@@ -51,50 +43,40 @@ impl<'c, 'b> RowCoder<'c, 'b> {
     /// Adds a row: its cells and, but for the first row, those below them.
     pub fn row(&mut self, cells: impl Iterator<Item = u8>, below: Option<impl Iterator<Item = u8>>) {
         match below {
-            None => cells.for_each(|cell| self.cell(cell, false)),
-            Some(below) => cells
-                .zip(below)
-                .for_each(|(cell, below)| self.cell(cell, cell == below)),
+            None => self.cells(cells.map(|cell| (cell, false))),
+            Some(below) => self.cells(cells.zip(below).map(|(cell, below)| (cell, cell == below))),
         }
     }
 
     /// Sends what is left.
     pub fn finish(mut self) {
-        self.end_segment();
+        self.code(self.segment);
         (self.sink)(self.packer.finish());
     }
 
+    /// Adds cells, each with whether it equals the one below it.
     #[inline]
-    fn cell(&mut self, cell: u8, is_copy: bool) {
-        let copies = is_copy && self.copy == self.len;
-        let runs = cell == self.value && self.run == self.len;
-        if self.len > 0 && (copies || runs) {
-            self.len += 1;
-            self.copy += u32::from(copies);
-            self.run += u32::from(runs);
-            return;
-        }
-        self.end_segment();
-        self.value = cell;
-        self.len = 1;
-        self.run = 1;
-        self.copy = u32::from(is_copy);
+    fn cells(&mut self, cells: impl Iterator<Item = (u8, bool)>) {
+        let mut segment = self.segment; // in registers
+        cells.for_each(|(cell, is_copy)| {
+            if !segment.add(cell, is_copy) {
+                self.code(segment);
+                segment = Segment::starting_with(cell, is_copy);
+            }
+        });
+        self.segment = segment;
     }
 
-    /// Codes the segment, and starts an empty one.
-    fn end_segment(&mut self) {
-        let n = core::mem::take(&mut self.len);
-        if n == 0 {
-            return;
-        }
+    /// Codes the cells of a segment.
+    fn code(&mut self, segment: Segment) {
         // With a literal open, another cell of it takes one byte and a new literal after it none.
-        let is_open = self.literal.1 > 0;
-        if self.copy == n && (n >= 2 || !is_open) {
+        let (n, is_open) = (segment.len, self.literal.1 > 0);
+        if segment.is_copy() && (n >= 2 || (n == 1 && !is_open)) {
             self.copy_token(n);
         } else if n >= 3 || (n == 2 && !is_open) {
-            self.run_token(n);
+            self.run_token(n, segment.value);
         } else {
-            (0..n).for_each(|_| self.literal_cell(self.value));
+            (0..n).for_each(|_| self.literal_cell(segment.value));
         }
     }
 
@@ -104,10 +86,9 @@ impl<'c, 'b> RowCoder<'c, 'b> {
         self.close(n);
     }
 
-    fn run_token(&mut self, n: u32) {
+    fn run_token(&mut self, n: u32, value: u8) {
         self.make_room();
         self.length_token(token::RUN, n, token::SHORTEST_RUN, token::LONG_RUN);
-        let value = self.value;
         self.packer.put(|out| out.u8(value));
         self.close(n);
     }
