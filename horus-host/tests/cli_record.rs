@@ -86,7 +86,6 @@ fn stream(ticks: u32) -> Vec<u8> {
         stream.tick(&map, &tick);
         stream.sink_mut()(b"a line of text\r\n");
     }
-    drop(stream);
     wire
 }
 

@@ -79,7 +79,6 @@ fn a_frame_is_laid_out_as_documented() {
     writer.tick_end(TickEnd { checksum: None });
     writer.tick_end(TickEnd { checksum: None });
     assert_eq!(writer.frames(), 2);
-    drop(writer);
     assert_eq!(sent[0][..11], [0xc1, 0xfa, 1, 5, 0, 0, 0, 0, 1, 0, 0]);
     assert_eq!(
         sent[0][11..],
@@ -122,7 +121,6 @@ fn the_longest_session_fits_the_shortest_buffer_and_long_names_are_cut() {
     let mut buffer = [0; MIN_BUFFER];
     let mut writer = FrameWriter::new_in(&mut buffer, |bytes: &[u8]| frame = bytes.to_vec()).unwrap();
     writer.session(&session);
-    drop(writer);
     let Ok(Frame::Session(read)) = Frame::read(FrameKind::Session as u8, payload(&frame)) else {
         panic!("no session");
     };

@@ -144,7 +144,6 @@ fn changed_parameters_bring_a_key_tick() {
     assert!(!stream.tick(map, &tick(3, None)));
     stream.request_key();
     assert!(stream.tick(map, &tick(4, None)));
-    drop(stream);
     let mut reader = StreamReader::new(&wire[..]);
     let mut lethal = Vec::new();
     while let Some(tick) = reader.next_tick().unwrap() {

@@ -162,7 +162,6 @@ pub fn send<F: FieldCell>(
             map.recenter(robot).unwrap(); // told by the next tick
         }
     }
-    drop(stream);
     assert!(longest <= capacity);
     (wire.into_inner(), sent)
 }
