@@ -151,6 +151,19 @@ fn changed_parameters_bring_a_key_tick() {
     }
     assert_eq!(lethal, [253, 253, 254, 254, 254]);
     assert!(reader.problems().is_empty(), "{}", reader.problems());
+
+    // A key tick without its session, whose parameters are new, is of no use.
+    let is_session = |at: &usize| wire[*at..].starts_with(&[0xc1, 0xfa, 1, 1]);
+    let second = (0..wire.len()).filter(is_session).nth(1).unwrap();
+    let len = 14 + usize::from(wire[second + 8]);
+    let without = [&wire[..second], &wire[second + len..]].concat();
+    let mut reader = StreamReader::new(&without[..]);
+    let mut told = Vec::new();
+    while let Some(tick) = reader.next_tick().unwrap() {
+        told.push((tick.stamp_ns, tick.session.config.params.lethal_cost));
+    }
+    assert_eq!(told, [(0, 253), (1, 253), (4, 254)]);
+    assert_eq!(reader.skipped_ticks(), 2);
 }
 
 #[test]
