@@ -6,14 +6,20 @@
 //! | [`sequence`] | sequences that are as long as the input allows, or short |
 //! | [`scene`] | sizes, poses, scans, scan models |
 //! | [`compare`] | what both sides must agree on |
+//! | [`damage`] | what happens to stored and sent bytes |
+//! | [`memory`] | how much memory something takes |
 //! | [`grid`] | target `grid` |
 //! | [`costmap`] | targets `costmap_u8` and `costmap_u16` |
 //! | [`mcap_reader`] | target `mcap_reader` |
+//! | [`frames`] | target `frames` |
 
 pub mod compare;
 pub mod costmap;
+pub mod damage;
+pub mod frames;
 pub mod grid;
 pub mod mcap_reader;
+pub mod memory;
 pub mod number;
 pub mod scene;
 pub mod sequence;

@@ -72,6 +72,8 @@ pub enum Buffer {
     Beams,
     /// One bit per cell for accumulating scans: a word per 32 cells.
     Seen,
+    /// A frame being built, see [`MIN_BUFFER`](crate::frames::MIN_BUFFER).
+    Frame,
 }
 
 /// The parameter that was out of range.

@@ -8,7 +8,8 @@
 //!
 //! # Layers
 //! Each uses only what stands left of it:
-//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`costmap`] < `c_abi` (the library from C; feature `c-abi`).
+//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`costmap`] < [`frames`] < `c_abi`
+//! (the library from C; feature `c-abi`).
 //!
 //! # Frames and units
 //! SI units, REP 103 axes, REP 105 frames, REP 117 ranges; angles in radians, counter-clockwise.
@@ -22,6 +23,7 @@ extern crate std;
 pub mod c_abi;
 pub mod costmap;
 pub mod error;
+pub mod frames;
 pub mod geometry;
 pub mod grid;
 mod math;

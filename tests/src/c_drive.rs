@@ -6,8 +6,8 @@
 use horus_core::costmap::FieldCell;
 use horus_core::prelude::*;
 
-use crate::drive::Line;
 use crate::hash::Hash;
+use crate::report::Line;
 
 /// Columns of every map.
 pub const WIDTH: u32 = 120;

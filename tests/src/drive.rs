@@ -1,28 +1,36 @@
 //! A scripted drive through a made-up room: scans in, rolling grid, incremental cost map.
-//!
-//! After every few ticks it reports a hash per stage, full maps included, so that two machines that
-//! differ show which stage and tick differs first.
 
 use horus_core::costmap::{CostMapBuffers, FieldCell, bit_words};
 use horus_core::prelude::*;
-
-use crate::hash::Hash;
 
 /// Beams of the lidar.
 pub const BEAMS: usize = 180;
 const RANGE_MAX: f32 = 6.0;
 
-/// One line of the report.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Line {
-    /// Which scenario.
-    pub scenario: &'static str,
-    /// Tick after which the hashes were taken.
-    pub tick: u32,
-    /// What was hashed: `scan`, `cells` or `costs`.
-    pub stage: &'static str,
-    /// Its hash.
-    pub hash: Hash,
+/// Ticks of a drive.
+const TICKS: u32 = 30;
+/// Nanoseconds between two ticks.
+const PERIOD_NS: u64 = 100_000_000;
+
+/// What happened in one tick.
+#[derive(Clone, Copy, Debug)]
+pub struct Tick<'a> {
+    /// Its number, from 0.
+    pub number: u32,
+    /// Time of the scan in nanoseconds.
+    pub stamp_ns: u64,
+    /// The robot and, in its middle, the lidar; the heading lies in -pi..=pi.
+    pub pose: Pose2D,
+    /// The scan.
+    pub scan: LaserScan<'a>,
+    /// Cells that the window moved by.
+    pub shift: [i32; 2],
+    /// What the scan did.
+    pub report: ScanReport,
+    /// What the update changed.
+    pub costs_changed: Option<CellRect>,
+    /// What a budgeted update left.
+    pub pending: Option<u32>,
 }
 
 /// How one drive differs from the others.
@@ -93,6 +101,14 @@ pub fn far_scenarios() -> [Scenario; 1] {
     }]
 }
 
+impl Scenario {
+    /// The pose of the window's corner before it first moves: the robot starts in the middle.
+    fn origin(&self, side: u32) -> Pose2D {
+        let half = side as f32 * 0.025;
+        Pose2D::new(-half, -half, self.theta)
+    }
+}
+
 /// Cells per side of the one-byte drives.
 pub const NEAR: u32 = 150;
 /// Cells per side of the two-byte drives.
@@ -104,25 +120,24 @@ pub type FarBuffers = CostMapBuffers<{ (FAR * FAR) as usize }, { bit_words(FAR, 
 /// Beam slots, and bits for accumulating scans.
 pub type LidarBuffers = ScanBuffers<BEAMS, { (NEAR * NEAR).div_ceil(32) as usize }>;
 
-/// Runs one scenario on `side` x `side` cells and shows every line of its report.
+/// Runs one scenario on `side` x `side` cells and shows the map after every tick.
+///
+/// # Errors
+/// What core refuses; nothing, unless the buffers are too small.
 pub fn run<F: FieldCell>(
     scenario: &Scenario,
     side: u32,
     (cells, buffers): (&mut [i8], CostBuffers<'_, F>),
     workspace: &mut ScanWorkspace<'_>,
-    mut show: impl FnMut(Line),
+    mut show: impl FnMut(&CostMap<'_, F>, &Tick<'_>),
 ) -> Result<(), Error> {
-    let half = side as f32 * 0.025;
-    let origin = Pose2D::new(-half, -half, scenario.theta);
-    let grid = OccupancyGrid::new_in(cells, side, side, 0.05, origin)?;
+    let grid = OccupancyGrid::new_in(cells, side, side, 0.05, scenario.origin(side))?;
     let mut map = CostMap::new_in(grid, buffers, scenario.params)?;
     let mut room = Room { noise: 0x2545_f491 };
     let mut ranges = [0.0; BEAMS];
-    for tick in 0..30 {
-        let t = tick as f32;
-        // A drift of most of a cell per tick, and one far jump.
-        let jump = if tick == 20 { 30.0 } else { 0.0 };
-        let pose = Pose2D::new(0.037 * t + jump, 0.021 * t - 0.3, 0.11 * t);
+    for number in 0..TICKS {
+        let t = number as f32;
+        let pose = pose_at(number);
         room.measure(pose, t, &mut ranges);
         let scan = LaserScan {
             angle_min: -core::f32::consts::PI,
@@ -131,43 +146,41 @@ pub fn run<F: FieldCell>(
             range_max: RANGE_MAX,
             ranges: &ranges,
         };
-        let mut seen = Hash::default();
-        for by in map.recenter(pose)? {
-            seen.word(by as u32);
-        }
+        let shift = map.recenter(pose)?;
         let report = map.integrate_scan(&scan, pose, scenario.model, workspace)?;
-        for word in [report.hits, report.misses, report.ignored] {
-            seen.word(word);
-        }
-        match scenario.budget {
-            None => {
-                map.update_costs();
-            }
+        let (costs_changed, pending) = match scenario.budget {
+            None => (map.update_costs(), None),
             Some(extra) => {
                 let update = map.update_costs_within(map.min_budget() + extra)?;
-                seen.word(update.pending);
+                (update.changed, Some(update.pending))
             }
-        }
-        if tick % 5 == 4 {
-            let line = |stage, hash| Line {
-                scenario: scenario.name,
-                tick,
-                stage,
-                hash,
-            };
-            show(line("scan", seen));
-            let mut cells = Hash::default();
-            map.occupancy_grid()
-                .data()
-                .iter()
-                .for_each(|v| cells.byte(*v as u8));
-            show(line("cells", cells));
-            let mut costs = Hash::default();
-            (0..side).for_each(|gy| map.row(gy).for_each(|c| costs.byte(c)));
-            show(line("costs", costs));
-        }
+        };
+        let tick = Tick {
+            number,
+            stamp_ns: PERIOD_NS * (u64::from(number) + 1),
+            pose,
+            scan,
+            shift,
+            report,
+            costs_changed,
+            pending,
+        };
+        show(&map, &tick);
     }
     Ok(())
+}
+
+/// A drift of most of a cell per tick, and one far jump.
+fn pose_at(number: u32) -> Pose2D {
+    let t = number as f32;
+    let jump = if number == 20 { 30.0 } else { 0.0 };
+    let theta = 0.11 * t;
+    let turn = if theta > core::f32::consts::PI {
+        core::f32::consts::TAU
+    } else {
+        0.0
+    };
+    Pose2D::new(0.037 * t + jump, 0.021 * t - 0.3, theta - turn)
 }
 
 /// Walls around the robot, a pillar, and noise.

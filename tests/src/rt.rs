@@ -1,9 +1,13 @@
-//! Start, print and exit, on the host and on the target.
+//! Start, print, send and exit, on the host and on the target.
+
+use core::cell::UnsafeCell;
 
 #[cfg(target_os = "none")]
 mod target {
     pub use cortex_m as _; // links the critical section that semihosting needs
     pub use cortex_m_semihosting::hprintln;
+    /// Prints beside what is [sent](send).
+    pub use cortex_m_semihosting::hprintln as note;
 
     use cortex_m_semihosting::debug;
 
@@ -16,6 +20,26 @@ mod target {
         });
         loop {
             cortex_m::asm::nop();
+        }
+    }
+
+    /// USART1 of an STM32F405: status, data, and the first control register.
+    const USART_SR: *mut u32 = 0x4001_1000 as *mut u32;
+    const USART_DR: *mut u32 = 0x4001_1004 as *mut u32;
+    const USART_CR1: *mut u32 = 0x4001_100c as *mut u32;
+    /// Room for a byte; enable, and enable sending.
+    const TXE: u32 = 1 << 7;
+    const UE_TE: u32 = 1 << 13 | 1 << 3;
+
+    /// Sends bytes over USART1. Clock, pins and speed are as they are: QEMU needs none of them.
+    pub fn send(bytes: &[u8]) {
+        // SAFETY: registers of a peripheral that nobody else uses.
+        unsafe {
+            USART_CR1.write_volatile(UE_TE);
+            for byte in bytes {
+                while USART_SR.read_volatile() & TXE == 0 {}
+                USART_DR.write_volatile(u32::from(*byte));
+            }
         }
     }
 
@@ -34,13 +58,22 @@ mod target {
 }
 
 #[cfg(target_os = "none")]
-pub use target::{exit, hprintln};
+pub use target::{exit, hprintln, note, send};
 
 #[cfg(not(target_os = "none"))]
 extern crate std;
 
 #[cfg(not(target_os = "none"))]
-pub use std::println as hprintln;
+pub use std::{eprintln as note, println as hprintln};
+
+/// Sends bytes to standard output; the program ends if that takes none.
+#[cfg(not(target_os = "none"))]
+pub fn send(bytes: &[u8]) {
+    use std::io::Write;
+    if std::io::stdout().write_all(bytes).is_err() {
+        exit(false);
+    }
+}
 
 /// Ends the program; the exit code tells whether it succeeded.
 #[cfg(not(target_os = "none"))]
@@ -63,4 +96,27 @@ macro_rules! start {
             $crate::rt::exit($run())
         }
     };
+}
+
+/// A static that is handed out once.
+pub struct Once<T>(UnsafeCell<T>);
+
+// SAFETY: these programs have one thread.
+unsafe impl<T> Sync for Once<T> {}
+
+impl<T> Once<T> {
+    /// Holds a value.
+    pub const fn new(value: T) -> Self {
+        Self(UnsafeCell::new(value))
+    }
+
+    /// Hands the value out.
+    ///
+    /// # Safety
+    /// Once only.
+    #[allow(clippy::mut_from_ref)]
+    pub unsafe fn take(&self) -> &mut T {
+        // SAFETY: one thread, and no other reference by the caller's promise.
+        unsafe { &mut *self.0.get() }
+    }
 }

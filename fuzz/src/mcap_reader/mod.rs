@@ -2,13 +2,9 @@
 //! bounded memory, and does not depend on how the source hands out its bytes.
 
 mod build;
-mod damage;
-mod memory;
 mod samples;
 
 pub use build::{BuiltLog, Checksum, Entry, Payload, Record, Text};
-pub use damage::Damage;
-pub use memory::Counting;
 
 use std::io::Read;
 
@@ -16,7 +12,8 @@ use arbitrary::Arbitrary;
 use horus_host::log::msg::{Costmap, Grid, LaserScan, Message, OccupancyGrid, Path, TFMessage};
 use horus_host::log::{LogEntry, LogReader, ReadEnd};
 
-use memory::peak_of;
+use crate::damage::Damage;
+use crate::memory::peak_of;
 
 /// The reader's record limit.
 const LIMIT: usize = 64 << 10;

@@ -256,15 +256,20 @@ impl<'a, F: FieldCell> CostMap<'a, F> {
 
     /// The costs of a row, in order of gx; empty outside the map.
     pub fn row(&self, gy: u32) -> impl ExactSizeIterator<Item = u8> + '_ {
-        let width = self.grid.width() as usize;
+        self.row_part(gy, 0, self.grid.width())
+    }
+
+    /// The costs of the cells `x0 <= gx < x1` of a row, cut to the map.
+    pub(crate) fn row_part(&self, gy: u32, x0: u32, x1: u32) -> impl ExactSizeIterator<Item = u8> + '_ {
+        let width = self.grid.width();
         let start = if gy < self.grid.height() {
-            gy as usize * width
+            gy as usize * width as usize
         } else {
             usize::MAX
         };
-        let end = start.saturating_add(width);
-        let values = self.grid.data().get(start..end).unwrap_or_default();
-        let fields = self.layer.field.get(start..end).unwrap_or_default();
+        let part = start.saturating_add(x0 as usize)..start.saturating_add(x1.min(width) as usize);
+        let values = self.grid.data().get(part.clone()).unwrap_or_default();
+        let fields = self.layer.field.get(part).unwrap_or_default();
         let tables = &*self.layer.tables;
         values
             .iter()

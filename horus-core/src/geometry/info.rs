@@ -102,6 +102,11 @@ impl GridInfo {
         Pose2D::new(x, y, self.origin0.theta)
     }
 
+    /// World pose of the corner of cell (0, 0) as given at construction, metres and radians.
+    pub const fn first_origin(&self) -> Pose2D {
+        self.origin0
+    }
+
     /// Index of a cell, `None` outside the grid.
     pub const fn index(&self, gx: u32, gy: u32) -> Option<usize> {
         if gx < self.width && gy < self.height {

@@ -3,7 +3,7 @@ use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
-use horus_host::lockstep::{Layers, LockstepConfig};
+use horus_host::lockstep::Layers;
 use horus_host::log::msg::{
     Costmap, CostmapMetaData, Header, MapMetaData, OccupancyGrid, Pose, TFMessage, Time, Transform,
     TransformStamped,
@@ -11,11 +11,16 @@ use horus_host::log::msg::{
 use horus_host::log::{LogWriter, cost_to_viewable};
 use horus_host::tf::Pose2;
 
+use super::map_geometry::MapGeometry;
 use super::step::ScanStep;
 use super::survey::in_file;
 
 /// Root of the frames in the logs we write.
 pub const MAP_FRAME: &str = "map";
+
+/// Headings are written as whole multiples of this, in radians: 2^44 of them to one. A quaternion that
+/// is read back then gives the same heading, so that a replay of a log writes the same bytes again.
+const HEADING_STEPS: f64 = (1u64 << 44) as f64;
 
 /// Scans between two flushes: what a crash can cost.
 const SCANS_PER_FLUSH: u32 = 64;
@@ -33,7 +38,7 @@ pub struct Frames {
 pub struct MapLog {
     path: PathBuf,
     writer: LogWriter<BufWriter<File>>,
-    config: LockstepConfig,
+    map: MapGeometry,
     frames: Frames,
     /// Sensor frame and mounting pose as last written.
     mount: Option<(String, Pose2)>,
@@ -44,7 +49,7 @@ impl MapLog {
     /// Starts the log at `path` with a `horus` metadata record.
     pub fn create(
         path: &Path,
-        config: &LockstepConfig,
+        map: MapGeometry,
         frames: &Frames,
         metadata: BTreeMap<String, String>,
     ) -> anyhow::Result<Self> {
@@ -57,11 +62,23 @@ impl MapLog {
         Ok(Self {
             path: path.to_owned(),
             writer: start().map_err(|error| in_file(path, error))?,
-            config: *config,
+            map,
             frames: frames.clone(),
             mount: None,
             unflushed: 0,
         })
+    }
+
+    /// Goes on with another map, told by another `horus` metadata record.
+    pub fn change_map(
+        &mut self,
+        map: MapGeometry,
+        frames: &Frames,
+        metadata: BTreeMap<String, String>,
+    ) -> anyhow::Result<()> {
+        (self.map, self.frames) = (map, frames.clone());
+        let written = self.writer.metadata("horus", metadata);
+        written.map_err(|error| in_file(&self.path, error))
     }
 
     /// Writes a scan and the transforms that connect it, and with `layers` the maps after it.
@@ -102,7 +119,9 @@ impl MapLog {
             transforms.insert(0, transform(stamp_ns, MAP_FRAME, odom, pose));
         }
         self.writer.write("/tf", stamp_ns, &TFMessage { transforms })?;
-        self.writer.write("/scan", stamp_ns, &step.scan)?;
+        if !step.scan.ranges.is_empty() {
+            self.writer.write("/scan", stamp_ns, &step.scan)?;
+        }
         if let Some(layers) = layers {
             self.write_maps(stamp_ns, layers)?;
         }
@@ -116,14 +135,15 @@ impl MapLog {
 
     fn write_maps(&mut self, stamp_ns: u64, layers: &Layers) -> Result<(), horus_host::log::LogError> {
         let header = Header::new(stamp_ns, &self.frames.odom);
-        let [x, y] = self.config.corner(layers.offset);
-        let origin = Pose::planar(x, y, 0.0);
-        let LockstepConfig {
+        let origin = self.map.corner(layers.offset);
+        let origin = Pose::planar(origin.x, origin.y, origin.yaw);
+        let MapGeometry {
             width,
             height,
             resolution,
+            lethal_cost: lethal,
             ..
-        } = self.config;
+        } = self.map;
         let map = |data: Vec<i8>| OccupancyGrid {
             header: header.clone(),
             info: MapMetaData {
@@ -137,7 +157,6 @@ impl MapLog {
         };
         self.writer
             .write("/local_map", stamp_ns, &map(layers.occupancy.clone()))?;
-        let lethal = self.config.params.lethal_cost;
         let viewable = layers.costs.iter().map(|&cost| cost_to_viewable(cost, lethal));
         self.writer
             .write("/costmap", stamp_ns, &map(viewable.collect()))?;
@@ -162,6 +181,6 @@ fn transform(stamp_ns: u64, parent: &str, child: &str, pose: Pose2) -> Transform
     TransformStamped {
         header: Header::new(stamp_ns, parent),
         child_frame_id: child.to_owned(),
-        transform: Transform::planar(pose.x, pose.y, pose.yaw),
+        transform: Transform::planar(pose.x, pose.y, (pose.yaw * HEADING_STEPS).round() / HEADING_STEPS),
     }
 }

@@ -1,14 +1,17 @@
 //! Commands, their options and what they print.
 //!
-//! Exit codes: 0 everything equal, 1 a mismatch or a difference, 2 bad input or usage, with one
-//! sentence on standard error.
+//! Exit codes: 0 everything equal or recorded, 1 a mismatch, a difference or a loss, 2 bad input or
+//! usage, with one sentence on standard error.
 
+mod byte_source;
 mod compare;
 mod demo;
+mod map_geometry;
 mod map_log;
 mod map_options;
 mod out_dir;
 mod progress;
+mod record;
 mod recording;
 mod replay;
 mod report;
@@ -43,6 +46,7 @@ pub fn run() -> ExitCode {
         Command::Demo(options) => demo::run(options),
         Command::Replay(options) => replay::run(options),
         Command::Compare(options) => compare::run(options),
+        Command::Record(options) => record::run(options),
     };
     match result {
         Ok(verdict) => verdict.into(),
@@ -69,6 +73,8 @@ enum Command {
     Replay(replay::ReplayOptions),
     /// Compare two logs topic by topic, message by message, cell by cell
     Compare(compare::CompareOptions),
+    /// Record the frames of a target (serial device, file or standard input) as a log
+    Record(record::RecordOptions),
 }
 
 const EXAMPLES: &str = "\
@@ -79,5 +85,6 @@ Examples:
   horus-host replay drive.mcap --out out --width 400 --height 400 --radius 1.0
   horus-host replay drive.mcap --preset nav2 --scan /front/scan --odom-frame map
   horus-host compare out/core.mcap out/std.mcap
+  horus-host record /dev/ttyACM0 --baud 921600 --out target.mcap
 
-Exit codes: 0 everything equal, 1 a mismatch, 2 bad input or usage.";
+Exit codes: 0 everything equal or recorded, 1 a mismatch or a loss, 2 bad input or usage.";

@@ -10,3 +10,12 @@ pub fn bar(scans: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scans, {elapsed} of {duration}");
     ProgressBar::new(scans).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
+
+/// A counter of recorded ticks on standard error, hidden unless that is a terminal.
+pub fn ticks() -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{spinner} {pos} ticks in {elapsed}, {msg}; Ctrl-C ends");
+    ProgressBar::new_spinner().with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()))
+}

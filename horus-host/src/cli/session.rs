@@ -6,6 +6,7 @@ use horus_host::picture::{Cells, Picture, Rgb, palette};
 use horus_host::tf::Pose2;
 use indicatif::ProgressBar;
 
+use super::map_geometry::MapGeometry;
 use super::map_log::{Frames, MapLog};
 use super::out_dir::OutDir;
 use super::report;
@@ -108,7 +109,12 @@ impl Session<'_> {
     fn start_logs(&self, out: &OutDir) -> anyhow::Result<[MapLog; 2]> {
         let start = |name: &str, side: &str| {
             let metadata = metadata(&self.config, &self.frames.odom, side);
-            MapLog::create(&out.file(name), &self.config, self.frames, metadata)
+            MapLog::create(
+                &out.file(name),
+                MapGeometry::from(&self.config),
+                self.frames,
+                metadata,
+            )
         };
         let [core, std] = LOG_NAMES;
         Ok([start(core, "core")?, start(std, "std")?])
@@ -132,10 +138,10 @@ impl Session<'_> {
         )?;
         let mut costmap = Picture::paint(costs, scale, |cost| palette::cost(cost, params.lethal_cost))?;
         let difference = Picture::paint_difference(costs, Cells::new(width, height, &std.costs)?, scale)?;
-        let [x, y] = self.config.corner(core.offset);
+        let corner = MapGeometry::from(&self.config).corner(core.offset);
         let cells = |metres: f64| metres / f64::from(resolution);
         for picture in [&mut occupancy, &mut costmap] {
-            let (gx, gy) = (cells(robot.x - x), cells(robot.y - y));
+            let (gx, gy) = (cells(robot.x - corner.x), cells(robot.y - corner.y));
             picture.mark_robot(gx, gy, robot.yaw, cells(ROBOT.1), ROBOT.0);
         }
         [

@@ -5,13 +5,17 @@ use std::process::ExitCode;
 pub enum Verdict {
     Equal,
     Different,
+    /// Everything that was to be recorded is.
+    Whole,
+    /// Something is missing from what was recorded.
+    Lossy,
 }
 
 impl From<Verdict> for ExitCode {
     fn from(verdict: Verdict) -> Self {
         match verdict {
-            Verdict::Equal => ExitCode::SUCCESS,
-            Verdict::Different => ExitCode::from(1),
+            Verdict::Equal | Verdict::Whole => ExitCode::SUCCESS,
+            Verdict::Different | Verdict::Lossy => ExitCode::from(1),
         }
     }
 }

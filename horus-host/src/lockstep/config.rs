@@ -67,13 +67,4 @@ impl LockstepConfig {
         let half = |size: u32| -(size as f32 * self.resolution) * 0.5;
         Pose2D::new(half(self.width), half(self.height), 0.0)
     }
-
-    /// Where the corner of cell (0, 0) lies, x and y in metres, once the window has moved by
-    /// `offset` whole cells.
-    pub fn corner(&self, offset: [i32; 2]) -> [f64; 2] {
-        let origin = self.origin();
-        let moved =
-            |origin: f32, cells: i32| f64::from(origin) + f64::from(cells) * f64::from(self.resolution);
-        [moved(origin.x, offset[0]), moved(origin.y, offset[1])]
-    }
 }

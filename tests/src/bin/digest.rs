@@ -3,8 +3,9 @@
 
 use horus_core::costmap::{CostBuffers, FieldCell};
 use horus_tests::c_drive;
-use horus_tests::drive::{self, FarBuffers, LidarBuffers, Line, NearBuffers};
-use horus_tests::rt::hprintln;
+use horus_tests::drive::{self, FarBuffers, LidarBuffers, NearBuffers};
+use horus_tests::report::{self, Line};
+use horus_tests::rt::{Once, hprintln};
 
 horus_tests::start!(run);
 
@@ -33,17 +34,19 @@ fn all() -> Result<(), horus_core::Error> {
     static NEAR: Once<NearBuffers> = Once::new(NearBuffers::empty());
     static FAR: Once<FarBuffers> = Once::new(FarBuffers::empty());
     static LIDAR: Once<LidarBuffers> = Once::new(LidarBuffers::empty());
-    let (near, far, lidar) = (NEAR.take(), FAR.take(), LIDAR.take());
+    // SAFETY: here only.
+    let (near, far, lidar) = unsafe { (NEAR.take(), FAR.take(), LIDAR.take()) };
     let mut workspace = lidar.workspace();
     for scenario in drive::near_scenarios() {
-        drive::run(&scenario, drive::NEAR, near.split(), &mut workspace, print)?;
+        report::run(&scenario, drive::NEAR, near.split(), &mut workspace, print)?;
     }
     for scenario in drive::far_scenarios() {
-        drive::run(&scenario, drive::FAR, far.split(), &mut workspace, print)?;
+        report::run(&scenario, drive::FAR, far.split(), &mut workspace, print)?;
     }
     // The drives that the C programs repeat.
     static COSTS: Once<c_drive::Costs> = Once::new([0; size_of::<c_drive::Costs>()]);
-    let costs = COSTS.take();
+    // SAFETY: here only.
+    let costs = unsafe { COSTS.take() };
     c_drive::run(&c_drive::direct(), near.split(), &mut workspace, print)?;
     c_drive::run(
         &c_drive::budgeted(),
@@ -61,22 +64,4 @@ fn keep<'a, F: FieldCell>(
 ) -> (&'a mut [i8], CostBuffers<'a, F>) {
     let costs = Some(costs);
     (cells, CostBuffers { costs, ..buffers })
-}
-
-/// A static that is handed out once.
-struct Once<T>(core::cell::UnsafeCell<T>);
-
-// SAFETY: these programs have one thread.
-unsafe impl<T> Sync for Once<T> {}
-
-impl<T> Once<T> {
-    const fn new(value: T) -> Self {
-        Self(core::cell::UnsafeCell::new(value))
-    }
-
-    #[allow(clippy::mut_from_ref)]
-    fn take(&self) -> &mut T {
-        // SAFETY: one thread, and each static is taken once, above.
-        unsafe { &mut *self.0.get() }
-    }
 }

@@ -1,3 +1,5 @@
+//! How much memory something takes.
+
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -22,7 +24,7 @@ unsafe impl GlobalAlloc for Counting {
 }
 
 /// Most bytes allocated at once while `work` ran, beyond what there was before.
-pub(super) fn peak_of(work: impl FnOnce()) -> usize {
+pub fn peak_of(work: impl FnOnce()) -> usize {
     let before = NOW.load(Ordering::Relaxed);
     PEAK.store(before, Ordering::Relaxed);
     work();

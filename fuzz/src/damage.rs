@@ -1,3 +1,5 @@
+//! What happens to stored and sent bytes.
+
 use arbitrary::Arbitrary;
 
 /// Something that happens to stored bytes.
