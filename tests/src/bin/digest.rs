@@ -1,6 +1,7 @@
 //! Prints the hashes of every scripted drive: the same lines on the host and on the target.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
+use horus_tests::Once;
 use horus_tests::drive::{self, FarBuffers, LidarBuffers, Line, NearBuffers};
 use horus_tests::rt::hprintln;
 
@@ -31,7 +32,8 @@ fn all() -> Result<(), horus_core::Error> {
     static NEAR: Once<NearBuffers> = Once::new(NearBuffers::empty());
     static FAR: Once<FarBuffers> = Once::new(FarBuffers::empty());
     static LIDAR: Once<LidarBuffers> = Once::new(LidarBuffers::empty());
-    let (near, far, lidar) = (NEAR.take(), FAR.take(), LIDAR.take());
+    // SAFETY: this function runs once.
+    let (near, far, lidar) = unsafe { (NEAR.take(), FAR.take(), LIDAR.take()) };
     let mut workspace = lidar.workspace();
     for scenario in drive::near_scenarios() {
         drive::run(&scenario, drive::NEAR, near.split(), &mut workspace, print)?;
@@ -40,22 +42,4 @@ fn all() -> Result<(), horus_core::Error> {
         drive::run(&scenario, drive::FAR, far.split(), &mut workspace, print)?;
     }
     Ok(())
-}
-
-/// A static that is handed out once.
-struct Once<T>(core::cell::UnsafeCell<T>);
-
-// SAFETY: these programs have one thread.
-unsafe impl<T> Sync for Once<T> {}
-
-impl<T> Once<T> {
-    const fn new(value: T) -> Self {
-        Self(core::cell::UnsafeCell::new(value))
-    }
-
-    #[allow(clippy::mut_from_ref)]
-    fn take(&self) -> &mut T {
-        // SAFETY: one thread, and each static is taken once, above.
-        unsafe { &mut *self.0.get() }
-    }
 }
