@@ -212,7 +212,7 @@ impl<'a, F: FieldCell> Layer<'a, F> {
         }
         // A changed cell is inserted or removed, and its word is looked at in three passes; every
         // pass also ends with a search over the summary words.
-        let search = self.sources.len().div_ceil(32) as u32 / self.steps().largest() + 1;
+        let search = self.sources.len().div_ceil(32) as u32 / self.steps().largest().max(1) + 1;
         self.changes
             .count()
             .saturating_mul(4)
