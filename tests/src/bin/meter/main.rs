@@ -50,7 +50,7 @@ type Kept = (
 /// With a two-byte field up to 31 cells.
 type Middle = CostMapBuffers<{ 160 * 160 }, { bit_words(160, 160) }, u16, 2048>;
 /// Beyond.
-type Far = CostMapBuffers<{ 100 * 100 }, { bit_words(100, 100) }, u16, 0>;
+type Far = CostMapBuffers<{ 100 * 100 }, { bit_words(100, 100) }, u16, 512>;
 
 fn all(bench: &mut Bench<'_>) -> Result<(), horus_core::Error> {
     static ARENA: Once<Arena<{ size_of::<Near>() }>> = Once::new(Arena::new());
