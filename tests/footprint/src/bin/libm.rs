@@ -9,6 +9,6 @@ horus_footprint::start!(run);
 fn run() {
     let (x, y, z) = (opaque(1.5f32), opaque(2.5f32), opaque(3.5f64));
     need([libm::ceilf(x), libm::rintf(x), libm::sqrtf(x), libm::powf(x, y)]);
-    need([libm::expf(x), libm::cosf(x), libm::sinf(x)]);
-    need([libm::cos(z), libm::sin(z)]);
+    need(libm::expf(x));
+    need((libm::sincosf(x), libm::sincos(z)));
 }
