@@ -55,12 +55,36 @@ pub(crate) fn shift_cells<T: Copy>(cells: &mut [T], width: u32, height: u32, shi
     }
 }
 
-/// Elements that are copied at once: on a core with unaligned loads, whole words instead of the
+/// Whether stretches as long as the distance, which do not overlap, are copied as a whole: worth it
+/// for whole rows, where `memcpy` copies words.
+fn in_stretches<T>(distance: usize) -> bool {
+    distance >= 64 && (distance * size_of::<T>()).is_multiple_of(size_of::<u32>())
+}
+
+/// Elements that are copied at once otherwise: on a core with unaligned loads, whole words instead of the
 /// bytes that a misaligned `memmove` falls back to.
 const BLOCK: usize = 16;
 
+/// Copies as many elements as both have.
+#[inline]
+fn copy<T: Copy>(to: &mut [T], from: &[T]) {
+    let both = to.len().min(from.len());
+    if let Some(to) = to.get_mut(..both)
+        && let Some(from) = from.get(..both)
+    {
+        to.copy_from_slice(from);
+    }
+}
+
 /// `cells[i] = cells[i + distance]`, ascending.
-fn move_down<T: Copy>(cells: &mut [T], distance: usize) {
+fn move_down<T: Copy>(mut cells: &mut [T], distance: usize) {
+    if in_stretches::<T>(distance) {
+        while let Some((to, from)) = cells.split_at_mut_checked(distance) {
+            copy(to, from);
+            cells = from;
+        }
+        return;
+    }
     let moved = cells.len().saturating_sub(distance);
     let mut at = 0;
     while at + BLOCK <= moved {
@@ -87,7 +111,21 @@ fn move_down<T: Copy>(cells: &mut [T], distance: usize) {
 }
 
 /// `cells[i] = cells[i - distance]`, descending.
-fn move_up<T: Copy>(cells: &mut [T], distance: usize) {
+fn move_up<T: Copy>(mut cells: &mut [T], distance: usize) {
+    if in_stretches::<T>(distance) {
+        while let Some(rest) = cells.len().checked_sub(distance)
+            && let Some((from, to)) = cells.split_at_mut_checked(rest)
+        {
+            // The last stretch that enters may be shorter.
+            if let Some(whole) = rest.checked_sub(distance) {
+                copy(to, from.get(whole..).unwrap_or_default());
+            } else {
+                copy(to.get_mut(distance - rest..).unwrap_or_default(), from);
+            }
+            cells = from;
+        }
+        return;
+    }
     let mut at = cells.len();
     while at >= distance + BLOCK {
         at -= BLOCK;
@@ -172,6 +210,10 @@ pub(crate) fn shift_bits(words: &mut [u32], width: u32, height: u32, shift: [i32
     let whole = (i64::from(dx).abs() >= i64::from(width)) || (i64::from(dy).abs() >= i64::from(height));
     if whole {
         words.fill(0);
+        return;
+    }
+    if dx == 0 {
+        shift_cells(words, per_row as u32, height, shift, 0);
         return;
     }
     let move_row = |words: &mut [u32], gy: i32| {

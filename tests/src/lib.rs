@@ -2,12 +2,19 @@
 //!
 //! [`rt`] is what they stand on (start, print, send, exit), [`drive`] the scripted drive, [`report`] its
 //! hashes, which must be the same everywhere, [`streaming`] how it becomes a stream of frames, [`c_drive`] a
-//! drive that C programs repeat.
+//! drive that C programs repeat, [`meter`] and [`workload`] what is measured and on what.
 #![no_std]
 
+mod arena;
 pub mod c_drive;
 pub mod drive;
 pub mod hash;
+pub mod meter;
+mod once;
 pub mod report;
 pub mod rt;
 pub mod streaming;
+pub mod workload;
+
+pub use arena::{Arena, ZeroBits};
+pub use once::Once;

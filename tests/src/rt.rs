@@ -1,7 +1,5 @@
 //! Start, print, send and exit, on the host and on the target.
 
-use core::cell::UnsafeCell;
-
 #[cfg(target_os = "none")]
 mod target {
     pub use cortex_m as _; // links the critical section that semihosting needs
@@ -96,27 +94,4 @@ macro_rules! start {
             $crate::rt::exit($run())
         }
     };
-}
-
-/// A static that is handed out once.
-pub struct Once<T>(UnsafeCell<T>);
-
-// SAFETY: these programs have one thread.
-unsafe impl<T> Sync for Once<T> {}
-
-impl<T> Once<T> {
-    /// Holds a value.
-    pub const fn new(value: T) -> Self {
-        Self(UnsafeCell::new(value))
-    }
-
-    /// Hands the value out.
-    ///
-    /// # Safety
-    /// Once only.
-    #[allow(clippy::mut_from_ref)]
-    pub unsafe fn take(&self) -> &mut T {
-        // SAFETY: one thread, and no other reference by the caller's promise.
-        unsafe { &mut *self.0.get() }
-    }
 }

@@ -93,8 +93,8 @@ pub(crate) fn cost<V: Copy + Into<(f32, f32)>>(
         high = (high.0.max(x), high.1.max(y));
         under.leaves_map |= x as u32 >= width || y as u32 >= height;
         if let Some(walk) = GridWalk::new(from.cell, to.cell, End::Included, width, height) {
-            let width = width.max(1); // a walk has cells: says the same to the compiler
-            walk.for_each(|i| under.add(cost_at(i as u32 % width, i as u32 / width)));
+            let per_row = width.max(1); // a walk has cells only where there are columns
+            walk.for_each(|i| under.add(cost_at(i as u32 % per_row, i as u32 / per_row)));
         }
     }
     let columns = low.0.max(0) as u32..width.min((high.0 + 1).max(0) as u32);

@@ -122,7 +122,7 @@ impl<F: FieldCell> Layer<'_, F> {
                 continue;
             };
             let scope = Scope::Edge(side, self.edges.edge(side));
-            let row_blocks = strip.height().div_ceil(BLOCK);
+            let row_blocks = strip.height().div_ceil(BLOCK).max(1);
             let end = first + row_blocks * strip.width().div_ceil(BLOCK);
             while self.edges.done < end {
                 let at = self.edges.done - first;

@@ -207,7 +207,7 @@ impl Step {
 
     fn apply(self, value: i8, by: i8) -> i8 {
         let from = if value < 0 { Self::START } else { i32::from(value) };
-        (from + i32::from(by)).clamp(self.min, self.max) as i8
+        (from + i32::from(by)).max(self.min).min(self.max) as i8
     }
 }
 

@@ -2,10 +2,10 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use horus_core::costmap::{CostBuffers, FieldCell};
-use horus_tests::c_drive;
 use horus_tests::drive::{self, FarBuffers, LidarBuffers, NearBuffers};
 use horus_tests::report::{self, Line};
-use horus_tests::rt::{Once, hprintln};
+use horus_tests::rt::hprintln;
+use horus_tests::{Once, c_drive};
 
 horus_tests::start!(run);
 

@@ -7,8 +7,9 @@ use core::cell::Cell;
 use horus_core::costmap::{CostMapBuffers, bit_words};
 use horus_core::frames::MapStream;
 use horus_core::prelude::*;
+use horus_tests::Once;
 use horus_tests::drive::{self, BEAMS};
-use horus_tests::rt::{self, Once, note};
+use horus_tests::rt::{self, note};
 use horus_tests::streaming;
 
 horus_tests::start!(run);

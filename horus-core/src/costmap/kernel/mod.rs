@@ -1,9 +1,11 @@
 //! Recomputing the distance field from the source bits.
 //!
-//! Two kernels, equal to the bit: [`bits`] treats 32 cells as one word and is fastest on a core
-//! without vector instructions; [`lanes`] treats 32 cells as bytes, which a compiler vectorises.
+//! Three kernels, equal to the bit: [`bits`] treats 32 cells as one word and is fastest on a core
+//! without vector instructions, up to 31 cells of radius; [`column`] serves larger radii there;
+//! [`lanes`] treats 32 cells as bytes, which a compiler vectorises.
 
 pub(crate) mod bits;
+pub(crate) mod column;
 mod disc;
 pub(crate) mod lanes;
 mod need;
@@ -40,12 +42,12 @@ pub(crate) const PREFER_LANES: bool = cfg!(all(target_pointer_width = "64", not(
 
 /// `u32` words of scratch memory that recomputing a field of this radius takes.
 ///
-/// 512 words up to 15 cells, 2048 up to 31, none beyond: 2048 words serve every radius.
+/// 512 words up to 15 cells, 2048 up to 31, 512 beyond: 2048 words serve every radius.
 pub const fn scratch_words(radius_cells: u32) -> usize {
     match radius_cells {
         0..=15 => bits::NEAR_WORDS,
         16..=31 => bits::MIDDLE_WORDS,
-        _ => 0,
+        _ => column::FAR_WORDS,
     }
 }
 
@@ -75,7 +77,7 @@ pub(crate) fn compute<F: FieldCell>(disc: &Disc, scratch: &mut [u32], sources: B
 /// Runs a job with the right kernel for a disc.
 pub(crate) fn with_kernel<F: FieldCell>(disc: &Disc, scratch: &mut [u32], job: impl Job<F>) {
     if F::MAX_RADIUS > 31 && disc.radius > 31 {
-        far(disc, job);
+        far(disc, scratch, job);
         return;
     }
     if PREFER_LANES {
@@ -113,14 +115,15 @@ fn near<F: FieldCell>(disc: &Disc, scratch: &mut [u32; bits::NEAR_WORDS], job: i
     }
 }
 
-/// The kernel for radii above 31 cells, in a frame of its own: its ring takes 1 KiB of stack, on
-/// 64-bit hosts 32 KiB.
+/// The kernel for radii above 31 cells, in a frame of its own: where vectors are preferred its ring
+/// takes 32 KiB of stack.
 #[inline(never)]
-fn far<F: FieldCell>(disc: &Disc, job: impl Job<F>) {
-    #[cfg(target_pointer_width = "64")]
-    job.run(&mut lanes::Lanes::<F, 32, 512>::new(disc));
-    #[cfg(not(target_pointer_width = "64"))]
-    job.run(&mut lanes::Lanes::<F, 1, 512>::new(disc));
+fn far<F: FieldCell>(disc: &Disc, scratch: &mut [u32], job: impl Job<F>) {
+    if PREFER_LANES {
+        job.run(&mut lanes::Lanes::<F, 32, 512>::new(disc));
+    } else if let Some(ring) = scratch.first_chunk_mut() {
+        job.run(&mut column::Column::new(disc, ring));
+    }
 }
 
 /// Work for whichever kernel is chosen.

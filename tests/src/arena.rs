@@ -1,0 +1,45 @@
+use horus_core::costmap::{CostMapBuffers, FieldCell};
+
+/// Memory in which one object after another is made, so that programs for 128 KiB of RAM can have
+/// several large ones.
+#[derive(Debug)]
+#[repr(C, align(8))]
+pub struct Arena<const BYTES: usize>([u8; BYTES]);
+
+/// Types for which all bits zero is a value.
+///
+/// # Safety
+/// It must be.
+pub unsafe trait ZeroBits {}
+
+// SAFETY: integers, and tables whose documented empty value is all bits zero.
+unsafe impl<const N: usize, const WORDS: usize, F: FieldCell, const SCRATCH: usize> ZeroBits
+    for CostMapBuffers<N, WORDS, F, SCRATCH>
+{
+}
+// SAFETY: bytes.
+unsafe impl<const N: usize> ZeroBits for [u8; N] {}
+// SAFETY: bytes.
+unsafe impl<const N: usize> ZeroBits for [i8; N] {}
+// SAFETY: both are, and padding may be anything.
+unsafe impl<A: ZeroBits, B: ZeroBits> ZeroBits for (A, B) {}
+
+impl<const BYTES: usize> Arena<BYTES> {
+    /// All bits zero.
+    #[allow(clippy::new_without_default, clippy::large_stack_arrays)]
+    pub const fn new() -> Self {
+        Self([0; BYTES])
+    }
+
+    /// An object of all bits zero; the previous one's borrow has ended.
+    pub fn zeroed<T: ZeroBits>(&mut self) -> &mut T {
+        const { assert!(size_of::<T>() <= BYTES && align_of::<T>() <= 8) };
+        let start = (&raw mut self.0).cast::<T>();
+        // SAFETY: in bounds and aligned, checked above; zero bits are a value of T; the borrow is
+        // that of the whole arena, and T has nothing to drop that owns anything.
+        unsafe {
+            start.write_bytes(0, 1);
+            &mut *start
+        }
+    }
+}
