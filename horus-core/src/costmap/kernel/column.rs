@@ -105,7 +105,7 @@ impl<F: FieldCell> Kernel<F> for Column<'_> {
         self.last = i32::MIN;
     }
 
-    fn row(&mut self, sources: Bitmap<'_>, gy: i32, need: &Need<F>, row: &mut [F]) -> u32 {
+    fn row(&mut self, sources: Bitmap<'_>, gy: i32, (need, _): (&Need<F>, u32), row: &mut [F]) -> u32 {
         let [from, ..] = need.from;
         let Some(cell) = row.first_mut() else {
             return 0;
