@@ -63,6 +63,13 @@ impl<'a> Changes<'a> {
         self.words.get(w).copied().unwrap_or(0)
     }
 
+    /// The words of a row inside the grid.
+    pub(crate) fn row(&self, gy: u32) -> &[u32] {
+        let per_row = words_per_row(self.width);
+        let start = gy as usize * per_row;
+        self.words.get(start..start + per_row).unwrap_or_default()
+    }
+
     /// Forgets the `bits` of a word.
     pub(crate) fn unmark(&mut self, w: usize, bits: u32) {
         if let Some(word) = self.words.get_mut(w) {

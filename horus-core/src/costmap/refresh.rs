@@ -4,6 +4,7 @@ use super::field::FieldCell;
 use super::kernel::low_bits;
 use super::tables::CostTables;
 use crate::geometry::{Bounds, CellRect};
+use crate::storage::bits_at;
 
 /// Brings what readers see up to date after cells of the field were written: the kept cost
 /// bytes, where there are any, and the rectangle of changes.
@@ -35,37 +36,35 @@ impl<V: CellValue, F: FieldCell> Refresh<'_, V, F> {
         }
     }
 
-    /// Cells of row `gy` from column `x0` on, those whose bits are set, now have these fields.
+    /// Cells of row `gy` from column `x0` on, at most 32, now have these fields: those whose bits
+    /// are set.
     #[inline]
     pub(crate) fn cells(&mut self, field: &[F], x0: u32, gy: u32, mut mask: u32) {
         if mask == 0 {
             return;
         }
-        let first = gy as usize * self.width as usize + x0 as usize;
         let Some(costs) = &mut self.costs else {
             let (low, high) = (mask.trailing_zeros(), 32 - mask.leading_zeros());
             self.changed.add_span(x0 + low, x0 + high, gy);
             return;
         };
-        let per_row = crate::storage::words_per_row(self.width);
-        while mask != 0 {
-            let lane = mask.trailing_zeros();
-            mask &= mask - 1;
-            let (i, gx) = (first + lane as usize, x0 + lane);
-            // A cell whose value changed is written once, at the end of the update.
-            let word = self.changes.word(gy as usize * per_row + gx as usize / 32);
-            if word >> (gx % 32) & 1 == 1 {
-                continue;
+        // A cell whose value changed is written once, at the end of the update.
+        mask &= !bits_at(self.changes.row(gy), x0 as i32);
+        let start = gy as usize * self.width as usize + x0 as usize;
+        let cells = start..start + field.len();
+        let (Some(costs), Some(values)) = (costs.get_mut(cells.clone()), self.values.get(cells)) else {
+            return;
+        };
+        let mut changed = 0;
+        for (lane, ((cost, value), field)) in costs.iter_mut().zip(values).zip(field).enumerate() {
+            if mask >> lane & 1 == 1 {
+                let new = self.tables.cost(value.byte(), *field);
+                changed |= u32::from(core::mem::replace(cost, new) != new) << lane;
             }
-            if let Some(cost) = costs.get_mut(i)
-                && let Some(value) = self.values.get(i)
-                && let Some(&field) = field.get(lane as usize)
-            {
-                let new = self.tables.cost(value.byte(), field);
-                if core::mem::replace(cost, new) != new {
-                    self.changed.add(gx, gy);
-                }
-            }
+        }
+        if changed != 0 {
+            let (low, high) = (changed.trailing_zeros(), 32 - changed.leading_zeros());
+            self.changed.add_span(x0 + low, x0 + high, gy);
         }
     }
 }

@@ -1,4 +1,5 @@
 use super::budget::Budget;
+use super::kernel::PREFER_LANES;
 
 /// What an update without a budget has spent on single sources, so that it can tell when
 /// recomputing everything is cheaper. The switch cannot change a result.
@@ -10,11 +11,12 @@ pub(super) struct Work {
 }
 
 impl Work {
-    /// A full recompute costs about as much as this many field writes per cell.
-    const FULL_WRITES_PER_CELL: u32 = 6;
+    /// A full recompute costs about as much as this many field writes per cell: measured, with
+    /// either kernel.
+    const FULL_WRITES_PER_CELL: u32 = if PREFER_LANES { 6 } else { 14 };
     /// A source that appears writes its disc once; one that vanishes costs this many times that.
     pub(super) const INSERT: u32 = 1;
-    pub(super) const REMOVE: u32 = 4;
+    pub(super) const REMOVE: u32 = if PREFER_LANES { 4 } else { 2 };
 
     pub(super) fn new(cells: usize, disc_cells: u32, budget: &Budget) -> Self {
         let full = if budget.is_limited() {
