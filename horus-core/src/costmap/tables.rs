@@ -1,6 +1,6 @@
 use super::field::{FieldCell, InflatedCosts};
-use super::kernel::Disc;
 use super::kernel::stamp::DiscRows;
+use super::kernel::{Disc, PREFER_LANES};
 use super::params::Decay;
 use super::words;
 use super::{CellValue, CostParams};
@@ -95,8 +95,25 @@ impl<F: FieldCell> CostTables<F> {
     /// [`is_source`](Self::is_source) for up to 32 cells, a bit each.
     #[inline]
     pub(crate) fn source_bits<V: CellValue>(&self, values: &[V]) -> u32 {
-        let (words, rest) = values.as_chunks();
         let mut bits = 0;
+        if PREFER_LANES {
+            let mut flags = [0u8; 32];
+            match values.first_chunk::<32>() {
+                Some(values) => flags = values.map(|value| u8::from(self.is_source(value.byte()))),
+                None => {
+                    for (flag, value) in flags.iter_mut().zip(values) {
+                        *flag = u8::from(self.is_source(value.byte()));
+                    }
+                }
+            }
+            for (i, eight) in flags.as_chunks::<8>().0.iter().enumerate() {
+                // One byte, 0 or 1, per cell: the product gathers them in its highest eight bits.
+                let gathered = u64::from_le_bytes(*eight).wrapping_mul(0x0102_0408_1020_4080) >> 56;
+                bits |= (gathered as u32) << (8 * i);
+            }
+            return bits;
+        }
+        let (words, rest) = values.as_chunks();
         for (i, cells) in words.iter().enumerate() {
             let cells = cells.map(V::byte);
             bits |= words::within(cells, self.source_from, self.source_span) << (4 * i);
