@@ -546,7 +546,7 @@ horus_scan_model horus_scan_model_set(void);
 /// The model that accumulates: +20 per hit, -7 per miss, between 0 and 100.
 horus_scan_model horus_scan_model_accumulate(void);
 
-/// Bytes of memory that such a workspace takes: 8 per beam, one bit per cell, and a few.
+/// Bytes of memory that such a workspace takes: 12 per beam, one bit per cell, and a few.
 ///
 /// Fails with HORUS_STATUS_SIZE_OVERFLOW.
 horus_status horus_scan_workspace_bytes(const horus_scan_workspace_config *config, size_t *bytes);
