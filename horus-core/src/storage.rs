@@ -19,40 +19,47 @@ pub const fn bitmap_words(width: u32, height: u32) -> usize {
 ///
 /// Complexity: one read and one write per cell; a zero shift returns at once.
 pub(crate) fn shift_cells<T: Copy>(cells: &mut [T], width: u32, height: u32, shift: [i32; 2], fill: T) {
-    let [dx, dy] = shift;
+    shift_in_place(cells, (width, height), shift, &fill);
+}
+
+// By reference, the value to fill with makes no difference between `i8` and `u8`: one function.
+#[inline(never)]
+fn shift_in_place<T: Copy>(cells: &mut [T], (width, height): (u32, u32), [dx, dy]: [i32; 2], fill: &T) {
+    let fill = *fill;
     let (w, h) = (width as usize, height as usize);
     if (dx == 0 && dy == 0) || w == 0 {
         return;
     }
     let (ax, ay) = (dx.unsigned_abs() as usize, dy.unsigned_abs() as usize);
     if ax >= w || ay >= h {
-        cells.fill(fill);
+        set_all(cells, fill);
         return;
     }
     // One move of the whole block: the cells that wrap around a row end are filled below.
     let delta = dy as isize * w as isize + dx as isize;
     let distance = delta.unsigned_abs();
     if distance >= cells.len() {
-        cells.fill(fill);
+        set_all(cells, fill);
         return;
     }
-    if delta > 0 {
-        move_down(cells, distance);
-    } else {
-        move_up(cells, distance);
-    }
+    move_by(cells, delta);
     let new_rows = if dy > 0 { h - ay..h } else { 0..ay };
     if let Some(rows) = cells.get_mut(new_rows.start * w..new_rows.end * w) {
-        rows.fill(fill);
+        set_all(rows, fill);
     }
     let new_columns = if dx > 0 { w - ax..w } else { 0..ax };
     if ax > 0 {
         for row in cells.chunks_exact_mut(w) {
             if let Some(columns) = row.get_mut(new_columns.clone()) {
-                columns.fill(fill);
+                set_all(columns, fill);
             }
         }
     }
+}
+
+/// Not `fill`, which the standard library has twice: for `u8` and for the others.
+fn set_all<T: Copy>(cells: &mut [T], value: T) {
+    cells.iter_mut().for_each(|cell| *cell = value);
 }
 
 /// Whether stretches as long as the distance, which do not overlap, are copied as a whole: worth it
@@ -61,9 +68,17 @@ fn in_stretches<T>(distance: usize) -> bool {
     distance >= 64 && (distance * size_of::<T>()).is_multiple_of(size_of::<u32>())
 }
 
-/// Elements that are copied at once otherwise: on a core with unaligned loads, whole words instead of the
-/// bytes that a misaligned `memmove` falls back to.
-const BLOCK: usize = 16;
+/// Copies `2 * N` elements within a slice: all are read before one is written. Two arrays of eight
+/// bytes are moved in registers, unaligned, where a longer one would be a call of `memmove`.
+#[inline(always)]
+fn copy_block<T: Copy, const N: usize>(cells: &mut [T], from: usize, to: usize) -> Option<()> {
+    let (near, far) = cells.get(from..from + 2 * N)?.split_first_chunk::<N>()?;
+    let (near, far) = (*near, *far.first_chunk::<N>()?);
+    let (to_near, to_far) = cells.get_mut(to..to + 2 * N)?.split_first_chunk_mut::<N>()?;
+    *to_near = near;
+    *to_far.first_chunk_mut::<N>()? = far;
+    Some(())
+}
 
 /// Copies as many elements as both have.
 #[inline]
@@ -76,8 +91,21 @@ fn copy<T: Copy>(to: &mut [T], from: &[T]) {
     }
 }
 
+/// `cells[i] = cells[i + delta]` where both are there.
+fn move_by<T: Copy>(cells: &mut [T], delta: isize) {
+    let distance = delta.unsigned_abs();
+    match (size_of::<T>(), delta > 0) {
+        (1, true) => move_down::<T, 8>(cells, distance),
+        (1, false) => move_up::<T, 8>(cells, distance),
+        (2, true) => move_down::<T, 4>(cells, distance),
+        (2, false) => move_up::<T, 4>(cells, distance),
+        (_, true) => move_down::<T, 2>(cells, distance),
+        (_, false) => move_up::<T, 2>(cells, distance),
+    }
+}
+
 /// `cells[i] = cells[i + distance]`, ascending.
-fn move_down<T: Copy>(mut cells: &mut [T], distance: usize) {
+fn move_down<T: Copy, const N: usize>(mut cells: &mut [T], distance: usize) {
     if in_stretches::<T>(distance) {
         while let Some((to, from)) = cells.split_at_mut_checked(distance) {
             copy(to, from);
@@ -87,18 +115,8 @@ fn move_down<T: Copy>(mut cells: &mut [T], distance: usize) {
     }
     let moved = cells.len().saturating_sub(distance);
     let mut at = 0;
-    while at + BLOCK <= moved {
-        let Some(block) = cells
-            .get(at + distance..)
-            .and_then(|c| c.first_chunk::<BLOCK>())
-            .copied()
-        else {
-            return;
-        };
-        if let Some(to) = cells.get_mut(at..).and_then(|c| c.first_chunk_mut::<BLOCK>()) {
-            *to = block;
-        }
-        at += BLOCK;
+    while at + 2 * N <= moved && copy_block::<T, N>(cells, at + distance, at).is_some() {
+        at += 2 * N;
     }
     while at < moved {
         if let Some(&value) = cells.get(at + distance)
@@ -111,7 +129,7 @@ fn move_down<T: Copy>(mut cells: &mut [T], distance: usize) {
 }
 
 /// `cells[i] = cells[i - distance]`, descending.
-fn move_up<T: Copy>(mut cells: &mut [T], distance: usize) {
+fn move_up<T: Copy, const N: usize>(mut cells: &mut [T], distance: usize) {
     if in_stretches::<T>(distance) {
         while let Some(rest) = cells.len().checked_sub(distance)
             && let Some((from, to)) = cells.split_at_mut_checked(rest)
@@ -127,18 +145,11 @@ fn move_up<T: Copy>(mut cells: &mut [T], distance: usize) {
         return;
     }
     let mut at = cells.len();
-    while at >= distance + BLOCK {
-        at -= BLOCK;
-        let Some(block) = cells
-            .get(at - distance..)
-            .and_then(|c| c.first_chunk::<BLOCK>())
-            .copied()
-        else {
-            return;
-        };
-        if let Some(to) = cells.get_mut(at..).and_then(|c| c.first_chunk_mut::<BLOCK>()) {
-            *to = block;
-        }
+    while let Some(to) = at.checked_sub(2 * N)
+        && let Some(from) = to.checked_sub(distance)
+        && copy_block::<T, N>(cells, from, to).is_some()
+    {
+        at = to;
     }
     while at > distance {
         at -= 1;
@@ -213,7 +224,11 @@ pub(crate) fn shift_bits(words: &mut [u32], width: u32, height: u32, shift: [i32
         return;
     }
     if dx == 0 {
-        shift_cells(words, per_row as u32, height, shift, 0);
+        let new = dy.unsigned_abs() as usize * per_row;
+        let kept = words.len().saturating_sub(new);
+        move_by(words, dy as isize * per_row as isize);
+        let new = if dy > 0 { kept..words.len() } else { 0..new };
+        set_all(words.get_mut(new).unwrap_or_default(), 0);
         return;
     }
     let move_row = |words: &mut [u32], gy: i32| {
@@ -235,17 +250,13 @@ pub(crate) fn shift_bits(words: &mut [u32], width: u32, height: u32, shift: [i32
                 *word = bits & mask;
             }
         };
-        // A word must be read before it is overwritten.
-        if dx >= 0 {
-            (0..per_row).for_each(&mut move_word);
-        } else {
-            (0..per_row).rev().for_each(&mut move_word);
+        for i in 0..per_row {
+            move_word(if dx > 0 { i } else { per_row - 1 - i });
         }
     };
-    if dy >= 0 {
-        (0..height as i32).for_each(|gy| move_row(words, gy));
-    } else {
-        (0..height as i32).rev().for_each(|gy| move_row(words, gy));
+    // A word must be read before it is overwritten.
+    for gy in 0..height as i32 {
+        move_row(words, if dy >= 0 { gy } else { height as i32 - 1 - gy });
     }
 }
 

@@ -77,11 +77,7 @@ impl GridWalk {
         };
         let (first, last) = clip(dominant, other, n, m, last)?;
         let travelled = u64::from(n / 2) + u64::from(first) * u64::from(m);
-        let (steps_minor, err) = if n == 0 {
-            (0, 0)
-        } else {
-            (travelled / u64::from(n), travelled % u64::from(n))
-        };
+        let (steps_minor, err) = divide(travelled, n);
         let x0y0 = |along_x: i64, along_y: i64| {
             let x = i64::from(from.0) + i64::from(sign_x) * along_x;
             let y = i64::from(from.1) + i64::from(sign_y) * along_y;
@@ -94,7 +90,7 @@ impl GridWalk {
             cells: last - first + 1,
             major,
             minor,
-            err: err as u32,
+            err,
             n,
             m,
         })
@@ -165,14 +161,39 @@ fn clip(dominant: Axis, other: Axis, n: u32, m: u32, last: u32) -> Option<(u32, 
         }
     } else {
         // The minor coordinate has moved q cells for steps ceil((q n - n/2) / m) and on.
-        let (n, m) = (i64::from(n), i64::from(m));
-        let reaches = |q: i64| (q * n - n / 2 + m - 1).div_euclid(m);
+        let reaches = |q: i64| {
+            let ahead = q as u64 * u64::from(n) - u64::from(n / 2); // q is not 0
+            divide(ahead + u64::from(m) - 1, m).0 as i64
+        };
         if q0 > 0 {
             first = first.max(reaches(q0));
         }
         last = last.min(reaches(q1 + 1) - 1);
     }
     (first <= last).then_some((first as u32, last as u32))
+}
+
+/// Quotient and remainder; both 0 for a divisor of 0. The divisor is at most 2^31.
+///
+/// Dividends fit 32 bits unless an end lies far outside: the compiler's 64-bit division would take a
+/// kilobyte of flash for those.
+fn divide(dividend: u64, divisor: u32) -> (u64, u32) {
+    if divisor == 0 {
+        return (0, 0);
+    }
+    if let Ok(dividend) = u32::try_from(dividend) {
+        return (u64::from(dividend / divisor), dividend % divisor);
+    }
+    let (mut quotient, mut remainder) = (dividend, 0);
+    for _ in 0..u64::BITS {
+        remainder = remainder << 1 | (quotient >> 63) as u32;
+        quotient <<= 1;
+        if remainder >= divisor {
+            remainder -= divisor;
+            quotient |= 1;
+        }
+    }
+    (quotient, remainder)
 }
 
 #[cfg(test)]
@@ -239,6 +260,27 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn division_equals_the_compilers() {
+        for dividend in [
+            0,
+            1,
+            7,
+            u64::from(u32::MAX),
+            1 << 32,
+            (1 << 33) + 5,
+            (1 << 62) - 1,
+            u64::MAX,
+        ] {
+            for divisor in [1, 2, 3, 1000, 0xffff, (1 << 30) + 1, (1 << 31) - 1, 1 << 31] {
+                let wide = u64::from(divisor);
+                let expected = (dividend / wide, (dividend % wide) as u32);
+                assert_eq!(divide(dividend, divisor), expected, "{dividend} / {divisor}");
+            }
+        }
+        assert_eq!(divide(5, 0), (0, 0));
     }
 
     #[test]

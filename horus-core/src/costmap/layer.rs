@@ -159,8 +159,11 @@ impl<'a, F: FieldCell> Layer<'a, F> {
         if per_row == 0 {
             return;
         }
-        let rows = self.sources.chunks_exact_mut(per_row);
-        for (words, values) in rows.zip(values.chunks_exact(self.width as usize)) {
+        // Zipping the two would divide by the row lengths, which the compiler need not know to be more
+        // than 0.
+        let mut rows = values.chunks_exact(self.width as usize);
+        for words in self.sources.chunks_exact_mut(per_row) {
+            let values = rows.next().unwrap_or_default();
             for (word, values) in words.iter_mut().zip(values.chunks(32)) {
                 *word = self.tables.source_bits(values);
             }

@@ -52,10 +52,11 @@ impl<'a> RowsPart<'a> {
     /// One write per cell.
     pub fn decode_into(&self, cells: &mut [u8], width: u32, height: u32) -> Option<u32> {
         let rect = self.rect;
-        if rect.x1 > width || rect.y1 > height || cells.len() != width as usize * height as usize {
+        let (columns, stride) = (rect.width() as usize, width as usize);
+        let fits = rect.x1 <= width && rect.y1 <= height && columns > 0 && rect.height() > 0;
+        if !fits || stride.checked_mul(height as usize) != Some(cells.len()) {
             return None;
         }
-        let (columns, stride) = (rect.width() as usize, width as usize);
         let all = columns * rect.height() as usize;
         let first_row = columns;
         let mut at = self.start as usize;

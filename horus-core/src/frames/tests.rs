@@ -211,16 +211,19 @@ fn rows_that_cannot_be_are_refused() {
     assert_eq!(good.decode_into(&mut cells, 4, 3), Some(4));
     assert_eq!(cells, [0, 0, 0, 0, 0, 7, 7, 0, 0, 7, 7, 0]);
     for bad in [
-        part([1, 1, 5, 3], 0, &[0x40, 7]),          // right of the map
-        part([1, 1, 3, 4], 0, &[0x40, 7]),          // above it
-        part([1, 1, 3, 3], 0, &[0x43, 7]),          // more cells than there are
-        part([1, 1, 3, 3], 3, &[0x40, 7]),          // the same, later
-        part([1, 1, 3, 3], 3, &[0x01, 1, 2]),       // the same, as a literal
-        part([1, 1, 3, 3], 3, &[0x81]),             // the same, as a copy
-        part([1, 1, 3, 3], 0, &[0x80]),             // nothing below
-        part([1, 1, 3, 3], 0, &[0x02, 1]),          // cut off
-        part([1, 1, 3, 3], 0, &[0x40]),             // cut off
-        part([1, 1, 3, 3], 0, &[0x7f, 0xff, 0xff]), // cut off
+        part([1, 1, 1, 3], 0, &[]),                                      // no cells
+        part([1, 2, 3, 2], 0, &[]),                                      // no cells
+        part([3, 1, 1, 3], 0, &[0x40, 7]),                               // the wrong way round
+        part([1, 1, 5, 3], 0, &[0x40, 7]),                               // right of the map
+        part([1, 1, 3, 4], 0, &[0x40, 7]),                               // above it
+        part([1, 1, 3, 3], 0, &[0x43, 7]),                               // more cells than there are
+        part([1, 1, 3, 3], 3, &[0x40, 7]),                               // the same, later
+        part([1, 1, 3, 3], 3, &[0x01, 1, 2]),                            // the same, as a literal
+        part([1, 1, 3, 3], 3, &[0x81]),                                  // the same, as a copy
+        part([1, 1, 3, 3], 0, &[0x80]),                                  // nothing below
+        part([1, 1, 3, 3], 0, &[0x02, 1]),                               // cut off
+        part([1, 1, 3, 3], 0, &[0x40]),                                  // cut off
+        part([1, 1, 3, 3], 0, &[0x7f, 0xff, 0xff]),                      // cut off
         part([1, 1, 3, 3], 0, &[0x7f, 0xff, 0xff, 0xff, 0xff, 0x0f, 1]), // 2^32 cells and more
     ] {
         assert_eq!(bad.decode_into(&mut [0; 12], 4, 3), None, "{bad:?}");

@@ -153,12 +153,13 @@ fn ram_is_as_documented() {
 
 #[test]
 fn no_panic_can_be_reached() {
-    for features in ["", "serde", "defmt", "serde,defmt"] {
+    let every = "serde,defmt,c-abi,dsp";
+    for features in ["", "serde", "defmt", "c-abi", "dsp", every] {
         if let Err(linker) = build(Profile::RELEASE, &["probe"], features) {
             panic!("features [{features}]: something in core can panic:\n{linker}");
         }
     }
-    build(Profile::SMALL, &["probe"], "").expect("no panic with opt-level s either");
+    build(Profile::SMALL, &["probe"], "c-abi").expect("no panic with opt-level s either");
 }
 
 #[test]

@@ -11,7 +11,7 @@ impl Disc {
     pub(crate) fn new(reach: u32) -> Self {
         Self {
             reach,
-            radius: reach.isqrt(),
+            radius: root(reach),
         }
     }
 
@@ -29,5 +29,27 @@ impl Disc {
     /// Cells of the disc's bounding box, per axis.
     pub(crate) fn side(self) -> u32 {
         2 * self.radius + 1
+    }
+}
+
+/// The integer root, bit by bit: once per change of parameters, without the standard one's table.
+fn root(value: u32) -> u32 {
+    (0..16).rev().fold(0, |root, bit| {
+        let next: u32 = root | 1 << bit;
+        if next * next <= value { next } else { root }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::root;
+
+    #[test]
+    fn roots_equal_the_standard_ones() {
+        for near in [0u32, 1, 15, 16, 65, 16_129, 65_025, 1 << 31, u32::MAX] {
+            for value in near.saturating_sub(3)..=near.saturating_add(3) {
+                assert_eq!(root(value), value.isqrt(), "{value}");
+            }
+        }
     }
 }

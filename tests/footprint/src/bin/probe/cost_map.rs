@@ -2,10 +2,13 @@ use horus_core::costmap::{CostTables, FieldCell};
 use horus_core::prelude::*;
 use horus_footprint::{need, opaque, robot};
 
+use crate::frames;
+
 pub fn call<F: FieldCell>(
     (cells, buffers): (&mut [i8], CostBuffers<'_, F>),
     ranges: &[f32],
     workspace: &mut ScanWorkspace<'_>,
+    frame: &mut [u8],
 ) {
     let pose = opaque(Pose2D::new(1.0, 2.0, 3.0));
     let Ok(grid) = OccupancyGrid::new_in(cells, opaque(60), opaque(61), opaque(0.05), pose) else {
@@ -18,6 +21,7 @@ pub fn call<F: FieldCell>(
     change(&mut map, ranges, workspace);
     need(map.set_params(opaque(CostParams::nav2())));
     read(&map);
+    frames::write(&map, frame, ranges);
 }
 
 fn change<F: FieldCell>(map: &mut CostMap<'_, F>, ranges: &[f32], workspace: &mut ScanWorkspace<'_>) {
@@ -40,7 +44,8 @@ fn read<F: FieldCell>(map: &CostMap<'_, F>) {
         map.info().cells(),
         map.params().validate(),
     ));
-    need((map.effective_radius(), map.min_budget(), map.calls_left()));
+    need((map.effective_radius(), map.min_budget()));
+    need((map.calls_left(), map.pending()));
     need((
         map.cost(opaque(1.0), opaque(2.0)),
         map.cost_at(opaque(1), opaque(2)),

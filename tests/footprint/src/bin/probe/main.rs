@@ -7,6 +7,9 @@
 #![no_main]
 
 mod cost_map;
+mod frames;
+#[cfg(feature = "c-abi")]
+mod from_c;
 mod geometry;
 mod grid;
 #[cfg(feature = "defmt")]
@@ -42,10 +45,14 @@ fn run() {
     grid::view(opaque(grid.data()));
     let (cells, mut buffers) = near.split();
     buffers.costs = opaque(Some(&mut costs[..]));
-    cost_map::call((opaque(cells), buffers), ranges, &mut workspace);
+    let frame = opaque(in_bss!([u8; 512], [0; 512]));
+    cost_map::call((opaque(cells), buffers), ranges, &mut workspace, frame);
     let (cells, buffers) = far.split();
-    cost_map::call((opaque(cells), buffers), ranges, &mut workspace);
+    cost_map::call((opaque(cells), buffers), ranges, &mut workspace, frame);
+    frames::read(frame, opaque(&mut [0; 12]));
     cost_map::tables();
+    #[cfg(feature = "c-abi")]
+    from_c::call();
     #[cfg(feature = "defmt")]
     logged::call();
     #[cfg(feature = "serde")]
