@@ -25,9 +25,9 @@ const BOUNDS: [Bound; 6] = [
     bound("grid", 4, 5),
     bound("scan", 7, 8),
     bound("scan_accumulate", 8, 9),
-    bound("cost_map", 23, 37),
-    bound("cost_map_u16", 29, 54),
-    bound("all", 28, 45),
+    bound("cost_map", 23, 38),
+    bound("cost_map_u16", 30, 55),
+    bound("all", 29, 46),
 ];
 /// What `cost_map` should take.
 const TARGET: u64 = 16 * KIB;

@@ -65,43 +65,39 @@ impl Stamp {
         let radius = disc.radius;
         let first = gx.wrapping_sub(radius);
         let whole = (radius as usize) < ROWS && first < width && width - first >= LANES as u32;
+        let size = (width, height);
         let narrow = disc.reach < F::NARROW;
-        let inside = |g: u32, size: u32| g >= radius && g < size.saturating_sub(radius);
-        let is_cut = radius >= rows.halves.len() as u32 || !inside(gx, width) || !inside(gy, height);
-        let at = (gx, gy);
         match self {
-            Self::Lower if whole => windows(field, width, rows, disc, (first, gy), |f, s| f.min(s)),
-            Self::MarkStale if whole => windows(field, width, rows, disc, (first, gy), |f, s| {
-                if (f == s) & (s != F::NONE) { F::STALE } else { f }
-            }),
-            _ if is_cut => {
-                let change: Change<F> = match self {
-                    Self::Lower if narrow => lower_row::<F, false>,
-                    Self::Lower => lower_row::<F, true>,
-                    Self::MarkStale => mark_row,
-                };
-                cut_spans(field, width, disc, at, change);
-            }
-            Self::Lower if narrow => pairs(
+            Self::Lower if !whole && narrow => spans(
                 field,
-                width,
+                size,
                 disc,
                 rows,
-                at,
+                (gx, gy),
                 lower_row::<F, false>,
                 |rows, squares, across| F::lower::<false>(rows, squares, across),
             ),
-            Self::Lower => pairs(
+            Self::Lower if !whole => spans(
                 field,
-                width,
+                size,
                 disc,
                 rows,
-                at,
+                (gx, gy),
                 lower_row::<F, true>,
                 |rows, squares, across| F::lower::<true>(rows, squares, across),
             ),
-            Self::MarkStale => pairs(field, width, disc, rows, at, mark_row, |rows, squares, across| {
-                F::mark_stale(rows, squares, across)
+            Self::MarkStale if !whole => spans(
+                field,
+                size,
+                disc,
+                rows,
+                (gx, gy),
+                mark_row,
+                |rows, squares, across| F::mark_stale(rows, squares, across),
+            ),
+            Self::Lower => windows(field, width, rows, disc, (first, gy), |f, s| f.min(s)),
+            Self::MarkStale => windows(field, width, rows, disc, (first, gy), |f, s| {
+                if (f == s) & (s != F::NONE) { F::STALE } else { f }
             }),
         }
         CellRect {
@@ -123,13 +119,27 @@ fn mark_row<F: FieldCell>(row: &mut [F], squares: &[F], across: u32) {
     F::mark_stale([row, &mut []], squares, across);
 }
 
-/// Changes one row, given its columns' squares and dy^2.
-type Change<F> = fn(&mut [F], &[F], u32);
-
-/// Exactly the cells of any disc, row by row, cut at the map's edges.
-#[inline(never)] // once for all stamps
-fn cut_spans<F: FieldCell>(field: &mut [F], width: u32, disc: Disc, (gx, gy): (u32, u32), change: Change<F>) {
+/// Exactly the cells of the disc. Given rows, their columns' squares, and dy^2: `single` changes
+/// one row, `pair` two.
+#[inline(always)]
+fn spans<F: FieldCell>(
+    field: &mut [F],
+    (width, height): (u32, u32),
+    disc: Disc,
+    rows: &DiscRows<F>,
+    (gx, gy): (u32, u32),
+    single: impl Fn(&mut [F], &[F], u32),
+    pair: impl Fn([&mut [F]; 2], &[F], u32),
+) {
+    let radius = disc.radius;
+    let inside = |g: u32, size: u32| g >= radius && g < size.saturating_sub(radius);
     let row = gy as usize * width as usize;
+    if radius < rows.halves.len() as u32 && inside(gx, width) && inside(gy, height) {
+        let (below, above) = field.split_at_mut_checked(row).unwrap_or_default();
+        let halves = rows.halves.get(..=radius as usize).unwrap_or_default();
+        pairs(below, above, width as usize, gx as usize, halves, single, pair);
+        return;
+    }
     // The source's column in the rows above and below.
     let (mut up, mut down) = (row + gx as usize, row + gx as usize);
     for (dy, half) in (0..).zip(disc.halves()) {
@@ -138,7 +148,7 @@ fn cut_spans<F: FieldCell>(field: &mut [F], width: u32, disc: Disc, (gx, gy): (u
         let mut row_at = |centre: usize| {
             // Beyond the first and the last row there are no cells.
             if let Some(row) = field.get_mut(centre - left..centre + right + 1) {
-                change(row, squares, dy * dy);
+                single(row, squares, dy * dy);
             }
         };
         row_at(up);
@@ -150,23 +160,17 @@ fn cut_spans<F: FieldCell>(field: &mut [F], width: u32, disc: Disc, (gx, gy): (u
     }
 }
 
-/// The same for a near disc inside the map, rows above and below the source in pairs: `pair` changes two
-/// that have the same squares and dy^2, `single` the source's own.
+/// The same for a near disc inside the map: rows above and below the source in pairs.
 #[inline(always)]
 fn pairs<F: FieldCell>(
-    field: &mut [F],
-    width: u32,
-    disc: Disc,
-    rows: &DiscRows<F>,
-    (gx, gy): (u32, u32),
+    below: &mut [F],
+    above: &mut [F],
+    width: usize,
+    gx: usize,
+    halves: &[u8],
     single: impl Fn(&mut [F], &[F], u32),
     pair: impl Fn([&mut [F]; 2], &[F], u32),
 ) {
-    let (width, gx) = (width as usize, gx as usize);
-    let (below, above) = field
-        .split_at_mut_checked(gy as usize * width)
-        .unwrap_or_default();
-    let halves = rows.halves.get(..=disc.radius as usize).unwrap_or_default();
     let Some((&half, halves)) = halves.split_first() else {
         return;
     };
