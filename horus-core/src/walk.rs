@@ -177,6 +177,7 @@ fn clip(dominant: Axis, other: Axis, n: u32, m: u32, last: u32) -> Option<(u32, 
 ///
 /// Dividends fit 32 bits unless an end lies far outside: the compiler's 64-bit division would take a
 /// kilobyte of flash for those.
+#[inline(never)]
 fn divide(dividend: u64, divisor: u32) -> (u64, u32) {
     if divisor == 0 {
         return (0, 0);

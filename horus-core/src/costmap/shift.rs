@@ -48,6 +48,7 @@ impl<F: FieldCell> Layer<'_, F> {
         }
     }
 
+    #[inline(never)]
     fn set_sources(&mut self, rect: CellRect) {
         let per_row = words_per_row(self.width);
         for gy in rect.y0..rect.y1 {
@@ -99,6 +100,7 @@ impl<F: FieldCell> Layer<'_, F> {
     }
 
     /// A source lies `away` cells from this one, along an axis.
+    #[inline(never)]
     fn lower(&mut self, gx: u32, gy: u32, away: u32) {
         let i = gy as usize * self.width as usize + gx as usize;
         let new = F::new(away * away);

@@ -22,12 +22,12 @@ struct Bound {
 
 /// What the images may take: what they took, and a little room.
 const BOUNDS: [Bound; 6] = [
-    bound("grid", 5, 5),
-    bound("scan", 10, 10),
-    bound("scan_accumulate", 12, 12),
-    bound("cost_map", 24, 40),
-    bound("cost_map_u16", 33, 56),
-    bound("all", 30, 47),
+    bound("grid", 4, 5),
+    bound("scan", 7, 8),
+    bound("scan_accumulate", 8, 9),
+    bound("cost_map", 23, 38),
+    bound("cost_map_u16", 30, 55),
+    bound("all", 29, 46),
 ];
 /// What `cost_map` should take.
 const TARGET: u64 = 16 * KIB;

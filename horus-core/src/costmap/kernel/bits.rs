@@ -82,15 +82,16 @@ pub(crate) struct Bits<'a, const STRIDE: usize, const WORDS: usize> {
 impl<'a, const STRIDE: usize, const WORDS: usize> Bits<'a, STRIDE, WORDS> {
     pub(crate) fn new(disc: &Disc, ring: &'a mut [u32; WORDS]) -> Self {
         let all: &'static [u32] = if STRIDE == 16 { &NEAR } else { &MIDDLE };
-        let pairs = all.get(..count_pairs(disc.reach)).unwrap_or(all);
         let mut rim = [0; STRIDE];
+        let mut count = 0;
         for (dy, (pair, half)) in (0..).zip(rim.iter_mut().zip(disc.halves())) {
             *pair = offsets(half, dy, STRIDE as u32, WORDS as u32);
+            count += half as usize + 1;
         }
         Self {
             ring,
             disc: *disc,
-            pairs,
+            pairs: all.get(..count).unwrap_or(all),
             rim,
             x0: 0,
             next: i32::MIN,
