@@ -25,8 +25,8 @@ const BOUNDS: [Bound; 6] = [
     bound("grid", 4, 5),
     bound("scan", 7, 8),
     bound("scan_accumulate", 8, 9),
-    bound("cost_map", 23, 38),
-    bound("cost_map_u16", 30, 55),
+    bound("cost_map", 24, 38),
+    bound("cost_map_u16", 29, 55),
     bound("all", 29, 46),
 ];
 /// What `cost_map` should take.
