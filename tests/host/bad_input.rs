@@ -121,6 +121,8 @@ fn sizes_and_places_that_cannot_be() {
     }
     assert_eq!(new(u32::MAX, u32::MAX, 0.1, 0.0, 0.0), Some(Error::SizeOverflow));
     assert_eq!(new((1 << 30) + 1, 1, 0.1, 0.0, 0.0), Some(Error::SizeOverflow));
+    // A cell index fits 32 bits.
+    assert_eq!(new(1 << 16, 1 << 16, 0.1, 0.0, 0.0), Some(Error::SizeOverflow));
     assert_eq!(new(0, 0, 0.1, 0.0, 0.0), None, "0 x 0 is legal");
 }
 

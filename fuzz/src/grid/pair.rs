@@ -79,7 +79,7 @@ impl GridPair {
             let usual = resolution.is_finite() && resolution > 0.0 && origin.is_finite();
             let refused = if !usual {
                 matches!(core, Err(Error::InvalidResolution(_) | Error::NonFinitePose))
-            } else if width.max(height) > 1 << 30 {
+            } else if width.max(height) > 1 << 30 || cells >= u64::from(u32::MAX) {
                 core == Err(Error::SizeOverflow)
             } else {
                 matches!(core, Err(Error::BufferTooSmall { .. }))
