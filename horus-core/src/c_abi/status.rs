@@ -110,7 +110,9 @@ impl horus_status {
             Self::Misaligned => c"a pointer is not aligned",
             Self::Overlap => c"two pointers of a call reach the same memory",
             Self::InvalidHandle => c"not an initialised object of this kind",
-            Self::SizeOverflow => c"a size or a length is beyond the address space",
+            Self::SizeOverflow => {
+                c"a size or a length is beyond the address space, or there are 2^32 - 1 cells or more"
+            }
             Self::BufferTooSmall => c"the memory or a buffer is too short",
             Self::LengthMismatch => c"an array has not exactly one element per cell",
             Self::Outside => c"the cell or the point lies outside the grid",
