@@ -1,8 +1,8 @@
 //! One suite for everything that is an `OccupancyGrid2d`: all its answers follow from size, place and values.
 
 use horus_core::grid::{
-    DenseGrid2, Frame, GridView, HorusValues, LinearGrid2, Local, LocalMapValues, OccupancyGrid2d,
-    RegularGrid, TrinaryValues, ValueTraits,
+    DenseGrid2, Frame, GridView, HorusValues, Local, LocalMapValues, OccupancyGrid2d, RegularGrid,
+    TrinaryValues, ValueTraits,
 };
 use horus_core::nalgebra::{Point2, Vector2};
 use horus_core::prelude::*;

@@ -7,8 +7,10 @@
 mod bench;
 mod case;
 mod cost_map;
+mod distance;
 mod grid;
 mod occupied;
+mod rays;
 mod targets;
 mod tick;
 
@@ -68,5 +70,9 @@ fn all(bench: &mut Bench<'_>) -> Result<(), horus_core::Error> {
     cost_map::run(&case::R11_KEPT, (cells, buffers), bench)?;
     cost_map::run(&case::R20, arena.zeroed::<Middle>().split(), bench)?;
     tick::run(&case::R20, arena.zeroed::<Middle>().split(), bench)?;
-    cost_map::run(&case::R40, arena.zeroed::<Far>().split(), bench)
+    cost_map::run(&case::R40, arena.zeroed::<Far>().split(), bench)?;
+    rays::run(arena.zeroed::<[i8; 200 * 200]>(), bench)?;
+    distance::run::<u16>("128x128 u16", arena.zeroed(), bench)?;
+    distance::run::<i16>("128x128 i16, signed", arena.zeroed(), bench)?;
+    distance::run::<u32>("128x128 u32", arena.zeroed(), bench)
 }
