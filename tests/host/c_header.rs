@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 /// What the header describes, in its order.
-const SOURCES: [&str; 14] = [
+const SOURCES: [&str; 17] = [
     "c_abi/version.rs",
     "c_abi/sizes.rs",
     "c_abi/status.rs",
@@ -22,6 +22,9 @@ const SOURCES: [&str; 14] = [
     "c_abi/cost_map/writes.rs",
     "c_abi/cost_map/update.rs",
     "c_abi/cost_map/reads.rs",
+    "c_abi/distance/map.rs",
+    "c_abi/distance/reads.rs",
+    "c_abi/distance/rays.rs",
 ];
 
 fn core() -> PathBuf {

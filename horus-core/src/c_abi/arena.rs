@@ -8,6 +8,7 @@ use crate::grid::BeamSlot;
 use super::sizes::HORUS_ALIGN;
 use super::status::horus_status;
 use crate::costmap::{CostTables, FieldCell};
+use crate::distance::EnvelopeVertex;
 
 /// A type of which all bits zero is a value.
 ///
@@ -23,6 +24,12 @@ unsafe impl Zeroed for i8 {}
 unsafe impl Zeroed for u16 {}
 // SAFETY: a number.
 unsafe impl Zeroed for u32 {}
+// SAFETY: a number.
+unsafe impl Zeroed for i16 {}
+// SAFETY: a number.
+unsafe impl Zeroed for i32 {}
+// SAFETY: numbers; `EMPTY` is all bits zero.
+unsafe impl Zeroed for EnvelopeVertex {}
 // SAFETY: numbers; `EMPTY` is all bits zero.
 unsafe impl Zeroed for BeamSlot {}
 // SAFETY: numbers and flags, arrays of them; `EMPTY` is all bits zero.

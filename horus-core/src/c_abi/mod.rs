@@ -1,4 +1,4 @@
-//! The library from C: grid, rolling window, scans and cost map behind `include/horus.h`.
+//! The library from C: grid, rolling window, scans, cost map, distances and rays behind `include/horus.h`.
 //!
 //! The functions carry C's names and do what their Rust namesakes do; their documentation is the
 //! header's. All memory is the caller's: an object lies, with all its buffers behind it, in one
@@ -28,6 +28,7 @@
 mod arena;
 mod call;
 mod cost_map;
+mod distance;
 mod geometry;
 mod grid;
 mod grid_reads;
@@ -44,6 +45,7 @@ mod version;
 mod tests;
 
 pub use cost_map::*;
+pub use distance::*;
 pub use geometry::*;
 pub use grid::*;
 pub use grid_reads::*;

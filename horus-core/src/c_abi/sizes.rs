@@ -1,10 +1,12 @@
 //! What the header's macros for static memory are made of, held to the objects they stand for.
 
 use super::cost_map::AnyCostMap;
+use super::distance::AnyDistanceMap;
 use super::grid::Grid;
 use super::object::Placed;
 use super::scan::Workspace;
 use crate::costmap::{CostMap, CostTables, FieldCell, scratch_words};
+use crate::distance::DistanceMap;
 
 /// Alignment, in bytes, of the memory given to every init.
 pub const HORUS_ALIGN: usize = 8;
@@ -37,13 +39,27 @@ pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 11008;
 #[cfg(target_pointer_width = "32")]
 pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 9888;
 
+/// Bytes of a distance map besides its cells and columns.
+#[cfg(target_pointer_width = "64")]
+pub const HORUS_DISTANCE_MAP_FIXED_BYTES: usize = 176;
+/// Bytes of a distance map besides its cells and columns.
+#[cfg(target_pointer_width = "32")]
+pub const HORUS_DISTANCE_MAP_FIXED_BYTES: usize = 128;
+
 // A constant that fails here is to be raised, and the header written anew.
 const _: () = {
     assert!(size_of::<Placed<Grid>>() <= HORUS_GRID_FIXED_BYTES);
     assert!(size_of::<Placed<Workspace>>() <= HORUS_SCAN_WORKSPACE_FIXED_BYTES);
     assert!(cost_map::<u8>(15) <= HORUS_COST_MAP_1_FIXED_BYTES);
     assert!(cost_map::<u16>(31) <= HORUS_COST_MAP_2_FIXED_BYTES);
+    assert!(distance_map() <= HORUS_DISTANCE_MAP_FIXED_BYTES);
 };
+
+/// What a distance map takes besides its cells and columns.
+const fn distance_map() -> usize {
+    let handle = size_of::<Placed<AnyDistanceMap>>().next_multiple_of(HORUS_ALIGN);
+    handle + size_of::<DistanceMap<'static, i32>>()
+}
 
 /// What a cost map takes besides its cells, with scratch memory for this radius.
 const fn cost_map<F: FieldCell>(radius: u32) -> usize {

@@ -5,7 +5,7 @@ use horus_core::costmap::{CostBuffers, FieldCell};
 use horus_tests::drive::{self, FarBuffers, LidarBuffers, NearBuffers};
 use horus_tests::report::{self, Line};
 use horus_tests::rt::hprintln;
-use horus_tests::{Once, c_drive};
+use horus_tests::{Once, c_distance, c_drive};
 
 horus_tests::start!(run);
 
@@ -54,7 +54,10 @@ fn all() -> Result<(), horus_core::Error> {
         &mut workspace,
         print,
     )?;
-    c_drive::run(&c_drive::far(), keep(far.split(), costs), &mut workspace, print)
+    c_drive::run(&c_drive::far(), keep(far.split(), costs), &mut workspace, print)?;
+    static DISTANCES: Once<c_distance::Storage> = Once::new(c_distance::Storage::empty());
+    // SAFETY: here only.
+    c_distance::run(unsafe { DISTANCES.take() }, print)
 }
 
 /// The same buffers, for a map that keeps its costs.
