@@ -128,7 +128,7 @@ impl Rows {
         };
         let mut outside = Envelope::build(outside, row, from_clear, reach);
         let mut inside = Envelope::build(inside, row, from_obstacle, reach);
-        // Into the places of the columns, then to the window's: an obstacle may lie where a cell goes to.
+        // Into the places of the columns first: what is still to be read may lie where a cell goes to.
         for column in columns.rev() {
             let Some(cell) = cells.get_mut(from + column as usize) else {
                 return;
@@ -143,9 +143,12 @@ impl Rows {
             };
             *cell = D::new(obstacle, squared);
         }
-        let first = from + left as usize;
-        if first + window as usize <= cells.len() {
-            cells.copy_within(first..first + window as usize, to);
+        for x in 0..window as usize {
+            if let Some(&cell) = cells.get(from + left as usize + x)
+                && let Some(target) = cells.get_mut(to + x)
+            {
+                *target = cell;
+            }
         }
     }
 }

@@ -110,7 +110,10 @@ impl<'a, G: OccupancyGrid2d + ?Sized> RayCaster<'a, G> {
         let walk = GridWalk::new::<T>((from.x, from.y), (to.x, to.y), End::Included, size.0, size.1)?;
         let free = |i: usize| data.get(i).is_some_and(|value| values.is_free(*value));
         let hit = walk.find(|i| !free(i))? as u32;
-        Some(Vector2::new((hit % size.0) as i32, (hit / size.0) as i32))
+        Some(Vector2::new(
+            hit.checked_rem(size.0)? as i32,
+            hit.checked_div(size.0)? as i32,
+        ))
     }
 
     /// First and last cell of the uncut ray.

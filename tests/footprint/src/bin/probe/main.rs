@@ -7,6 +7,7 @@
 #![no_main]
 
 mod cost_map;
+mod distance;
 mod frames;
 #[cfg(feature = "c-abi")]
 mod from_c;
@@ -14,6 +15,7 @@ mod geometry;
 mod grid;
 #[cfg(feature = "defmt")]
 mod logged;
+mod requirements;
 #[cfg(feature = "serde")]
 mod serialised;
 
@@ -43,6 +45,8 @@ fn run() {
     geometry::call();
     grid::call(grid, ranges, &mut workspace);
     grid::view(opaque(grid.data()));
+    requirements::call(opaque(grid));
+    distance::call(opaque(grid));
     let (cells, mut buffers) = near.split();
     buffers.costs = opaque(Some(&mut costs[..]));
     let frame = opaque(in_bss!([u8; 512], [0; 512]));
