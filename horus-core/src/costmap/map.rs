@@ -20,7 +20,7 @@ use crate::grid::{ChangeSink, LaserScan, OccupancyGrid, ScanModel, ScanReport, S
 /// bytes ([`costs`](Self::costs)) show the last update.
 ///
 /// RAM, occupancy included: 2.25 bytes per cell (`u8`) or 3.25 (`u16`), one more with kept bytes,
-/// plus O(width + height) and at most 3 KiB (`u8`) or 10 KiB (`u16`).
+/// plus O(width + height) and at most 4 KiB (`u8`) or 10 KiB (`u16`).
 ///
 /// Source: HORUS `CostMap`; nav2's inflation layer for [`Decay::Exponential`](super::Decay).
 ///

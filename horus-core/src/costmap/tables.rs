@@ -7,7 +7,7 @@ use super::{CellValue, CostParams};
 use crate::error::Error;
 
 /// Room for what follows from the parameters and the resolution; a cost map fills it once, so that
-/// updates are integers only. 0.7 KiB for a one-byte field, 1.5 KiB for a two-byte one, on a
+/// updates are integers only. 1.6 KiB for a one-byte field, 1.3 KiB for a two-byte one, on a
 /// 32-bit target.
 #[derive(Clone, Copy, Debug)]
 pub struct CostTables<F: FieldCell> {
