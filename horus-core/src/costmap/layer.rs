@@ -133,7 +133,6 @@ impl<'a, F: FieldCell> Layer<'a, F> {
     }
 
     /// A cell of the grid has a new value.
-    #[inline]
     pub(crate) fn mark(&mut self, gx: u32, gy: u32) {
         let word = self.changes.mark(gx, gy);
         self.cursors.back_to(word);
@@ -148,7 +147,7 @@ impl<'a, F: FieldCell> Layer<'a, F> {
         self.compute_field();
         if let Some(costs) = &mut self.costs {
             for ((cost, value), field) in costs.iter_mut().zip(values).zip(self.field.iter()) {
-                *cost = self.tables.cost(value.byte(), *field);
+                self.tables.refresh(cost, *value, *field);
             }
         }
     }

@@ -124,6 +124,12 @@ impl<F: FieldCell> CostTables<F> {
         bits
     }
 
+    /// Writes the cost of a cell; true if it was another.
+    pub(crate) fn refresh<V: CellValue>(&self, cost: &mut u8, value: V, field: F) -> bool {
+        let new = self.cost(value.byte(), field);
+        core::mem::replace(cost, new) != new
+    }
+
     /// The cost of a cell from its value and its field.
     #[inline]
     pub(crate) fn cost(&self, value: u8, field: F) -> u8 {

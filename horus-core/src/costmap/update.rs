@@ -279,8 +279,7 @@ impl<F: FieldCell> Layer<'_, F> {
                     && let Some(value) = values.get(i)
                     && let Some(&field) = self.field.get(i)
                 {
-                    let new = self.tables.cost(value.byte(), field);
-                    if core::mem::replace(cost, new) != new {
+                    if self.tables.refresh(cost, *value, field) {
                         changed.add(gx, gy);
                     }
                 }

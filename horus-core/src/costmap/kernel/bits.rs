@@ -206,7 +206,7 @@ impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'
             return 0;
         }
         let (first, last) = (gy - self.radius(), gy + self.radius());
-        for entering in first.max(self.next)..=last {
+        for entering in first.max(self.next)..last + 1 {
             self.enter(sources, entering);
         }
         self.next = last + 1;
