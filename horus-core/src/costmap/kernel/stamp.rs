@@ -75,10 +75,11 @@ impl Stamp {
                 Self::Lower => around.windows(rows, F::lower::<LANES>),
                 Self::MarkStale => around.windows(rows, F::mark_stale),
             },
-            _ => match self {
-                Self::Lower => around.spans(disc, F::min),
-                Self::MarkStale => around.spans(disc, |f, s| if f == s { F::STALE } else { f }),
-            },
+            _ => around.spans(disc, |cell, squared| match self {
+                Self::Lower => cell.min(squared),
+                Self::MarkStale if cell == squared => F::STALE,
+                Self::MarkStale => cell,
+            }),
         }
         rect
     }
@@ -114,25 +115,17 @@ impl<F: FieldCell> Around<'_, F> {
     /// Exactly the cells of the disc, one after another.
     #[inline(always)]
     fn spans(self, disc: Disc, apply: impl Fn(F, F) -> F) {
-        let (before, behind) = (self.gx - self.rect.x0, self.rect.x1 - 1 - self.gx);
-        let mut centre = self.rect.y0 as usize * self.width as usize + self.gx as usize;
+        let mut start = self.rect.y0 as usize * self.width as usize;
         let mut half = 0;
         for y in self.rect.y0..self.rect.y1 {
             let across = self.gy.abs_diff(y).pow(2);
             half = disc.half(across, half);
-            let (left, right) = (half.min(before), half.min(behind));
-            let cells = centre - left as usize..centre + right as usize + 1;
-            let squares = F::squares_from(-(left as i32));
-            for (cell, square) in self
-                .field
-                .get_mut(cells)
-                .unwrap_or_default()
-                .iter_mut()
-                .zip(squares)
-            {
-                *cell = apply(*cell, square.wrapping_add(F::new(across)));
+            let (x0, x1) = (self.gx.saturating_sub(half), self.rect.x1.min(self.gx + half + 1));
+            let row = self.field.get_mut(start + x0 as usize..start + x1 as usize);
+            for (x, cell) in (x0..).zip(row.unwrap_or_default()) {
+                *cell = apply(*cell, F::new(self.gx.abs_diff(x).pow(2) + across));
             }
-            centre += self.width as usize;
+            start += self.width as usize;
         }
     }
 }
