@@ -139,7 +139,7 @@ enum horus_status
     HORUS_STATUS_OVERLAP = 3,
     /// Not an object of this kind: never initialised, of another kind, moved, or overwritten.
     HORUS_STATUS_INVALID_HANDLE = 4,
-    /// A size or a length is beyond the address space.
+    /// A size or a length is beyond the address space, or a grid would have 2^32 - 1 cells or more.
     HORUS_STATUS_SIZE_OVERFLOW = 5,
     /// The memory or a buffer is too short; for an object, its `bytes` function tells the length.
     HORUS_STATUS_BUFFER_TOO_SMALL = 6,
