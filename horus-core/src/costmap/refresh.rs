@@ -54,11 +54,12 @@ impl<V: CellValue, F: FieldCell> Refresh<'_, V, F> {
         let (Some(costs), Some(values)) = (costs.get_mut(cells.clone()), self.values.get(cells)) else {
             return;
         };
-        let mut changed = 0;
-        for (lane, ((cost, value), field)) in costs.iter_mut().zip(values).zip(field).enumerate() {
-            if mask >> lane & 1 == 1 {
-                changed |= u32::from(self.tables.refresh(cost, *value, *field)) << lane;
+        let (mut changed, mut bit) = (0, 1);
+        for ((cost, value), field) in costs.iter_mut().zip(values).zip(field) {
+            if mask & bit != 0 && self.tables.refresh(cost, *value, *field) {
+                changed |= bit;
             }
+            bit <<= 1;
         }
         if changed != 0 {
             let (low, high) = (changed.trailing_zeros(), 32 - changed.leading_zeros());
