@@ -104,22 +104,22 @@
 
 #if defined(HORUS_POINTERS_64)
 /// Bytes of a cost map with a one-byte field besides its cells.
-#define HORUS_COST_MAP_1_FIXED_BYTES 3584
+#define HORUS_COST_MAP_1_FIXED_BYTES 4032
 #endif
 
 #if defined(HORUS_POINTERS_32)
 /// Bytes of a cost map with a one-byte field besides its cells.
-#define HORUS_COST_MAP_1_FIXED_BYTES 2976
+#define HORUS_COST_MAP_1_FIXED_BYTES 3936
 #endif
 
 #if defined(HORUS_POINTERS_64)
 /// Bytes of a cost map with a two-byte field besides its cells.
-#define HORUS_COST_MAP_2_FIXED_BYTES 11008
+#define HORUS_COST_MAP_2_FIXED_BYTES 11976
 #endif
 
 #if defined(HORUS_POINTERS_32)
 /// Bytes of a cost map with a two-byte field besides its cells.
-#define HORUS_COST_MAP_2_FIXED_BYTES 9888
+#define HORUS_COST_MAP_2_FIXED_BYTES 9832
 #endif
 
 /// Whether a call did what it was asked to. Anything but HORUS_STATUS_OK: nothing has changed and
