@@ -111,22 +111,22 @@
 
 #if defined(HORUS_POINTERS_64)
 /// Bytes of a cost map with a one-byte field besides its cells.
-#define HORUS_COST_MAP_1_FIXED_BYTES 3584
+#define HORUS_COST_MAP_1_FIXED_BYTES 4032
 #endif
 
 #if defined(HORUS_POINTERS_32)
 /// Bytes of a cost map with a one-byte field besides its cells.
-#define HORUS_COST_MAP_1_FIXED_BYTES 2976
+#define HORUS_COST_MAP_1_FIXED_BYTES 3936
 #endif
 
 #if defined(HORUS_POINTERS_64)
 /// Bytes of a cost map with a two-byte field besides its cells.
-#define HORUS_COST_MAP_2_FIXED_BYTES 11008
+#define HORUS_COST_MAP_2_FIXED_BYTES 11976
 #endif
 
 #if defined(HORUS_POINTERS_32)
 /// Bytes of a cost map with a two-byte field besides its cells.
-#define HORUS_COST_MAP_2_FIXED_BYTES 9888
+#define HORUS_COST_MAP_2_FIXED_BYTES 9832
 #endif
 
 #if defined(HORUS_POINTERS_64)
@@ -156,7 +156,7 @@ enum horus_status
     HORUS_STATUS_OVERLAP = 3,
     /// Not an object of this kind: never initialised, of another kind, moved, or overwritten.
     HORUS_STATUS_INVALID_HANDLE = 4,
-    /// A size or a length is beyond the address space.
+    /// A size or a length is beyond the address space, or a grid would have 2^32 - 1 cells or more.
     HORUS_STATUS_SIZE_OVERFLOW = 5,
     /// The memory or a buffer is too short; for an object, its `bytes` function tells the length.
     HORUS_STATUS_BUFFER_TOO_SMALL = 6,

@@ -27,17 +27,17 @@ pub const HORUS_SCAN_WORKSPACE_FIXED_BYTES: usize = 48;
 
 /// Bytes of a cost map with a one-byte field besides its cells.
 #[cfg(target_pointer_width = "64")]
-pub const HORUS_COST_MAP_1_FIXED_BYTES: usize = 3584;
+pub const HORUS_COST_MAP_1_FIXED_BYTES: usize = 4032;
 /// Bytes of a cost map with a one-byte field besides its cells.
 #[cfg(target_pointer_width = "32")]
-pub const HORUS_COST_MAP_1_FIXED_BYTES: usize = 2976;
+pub const HORUS_COST_MAP_1_FIXED_BYTES: usize = 3936;
 
 /// Bytes of a cost map with a two-byte field besides its cells.
 #[cfg(target_pointer_width = "64")]
-pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 11008;
+pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 11976;
 /// Bytes of a cost map with a two-byte field besides its cells.
 #[cfg(target_pointer_width = "32")]
-pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 9888;
+pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 9832;
 
 /// Bytes of a distance map besides its cells and columns.
 #[cfg(target_pointer_width = "64")]

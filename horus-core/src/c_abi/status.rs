@@ -17,7 +17,7 @@ pub enum horus_status {
     Overlap = 3,
     /// Not an object of this kind: never initialised, of another kind, moved, or overwritten.
     InvalidHandle = 4,
-    /// A size or a length is beyond the address space.
+    /// A size or a length is beyond the address space, or a grid would have 2^32 - 1 cells or more.
     SizeOverflow = 5,
     /// The memory or a buffer is too short; for an object, its `bytes` function tells the length.
     BufferTooSmall = 6,

@@ -145,7 +145,6 @@ impl GridInfo {
     /// The cell of a world point in window coordinates, also outside the window.
     ///
     /// `None` for a point that is not finite or is more than 2^30 cells away.
-    #[inline]
     pub fn world_to_cell(&self, x: f32, y: f32) -> Option<(i32, i32)> {
         let (lx, ly) = self.local(x, y);
         if !(lx.is_finite() && ly.is_finite()) {
