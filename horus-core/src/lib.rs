@@ -8,7 +8,8 @@
 //!
 //! # Layers
 //! Each uses only what stands left of it:
-//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`costmap`] < [`frames`] < `c_abi`
+//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`costmap`] < [`local`] <
+//! [`frames`] < `c_abi`
 //! (the library from C; feature `c-abi`).
 //!
 //! # Frames and units
@@ -26,6 +27,7 @@ pub mod error;
 pub mod frames;
 pub mod geometry;
 pub mod grid;
+pub mod local;
 mod math;
 pub mod prelude;
 pub mod storage;

@@ -57,6 +57,7 @@ mod grid;
 mod inflation;
 mod integrate;
 mod laser_scan;
+mod local;
 mod pose;
 mod rect;
 mod scan_model;
@@ -73,6 +74,9 @@ pub use grid::OccupancyGrid;
 #[doc(hidden)]
 pub use inflation::inflate;
 pub use laser_scan::LaserScan;
+pub use local::{
+    LidarScan, LocalFootprint, LocalGridMap, LocalGridMapConfig, LocalUpdate, SensingBuffer, SensingState,
+};
 pub use pose::Pose2D;
 pub use rect::Rect;
 pub use scan_model::ScanModel;
