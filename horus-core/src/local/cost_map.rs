@@ -78,3 +78,18 @@ fn occupancies_of(values: [u8; 4]) -> [u8; 4] {
     // One factor per byte, and at most one of both is set: no carry.
     (occupied * grid::OCCUPIED as u32 | unknown * 0xff).to_ne_bytes()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{FREE, OCCUPIED, UNKNOWN, occupancies_of, occupancy_of};
+
+    #[test]
+    fn four_cells_at_once_equal_one_by_one() {
+        let values = [OCCUPIED, UNKNOWN, FREE];
+        for n in 0..81usize {
+            let four = [n / 27, n / 9 % 3, n / 3 % 3, n % 3].map(|i| values[i]);
+            let expected = four.map(|value| occupancy_of(value) as u8);
+            assert_eq!(occupancies_of(four), expected);
+        }
+    }
+}

@@ -25,8 +25,6 @@ mod output;
 mod property;
 mod rays;
 mod state;
-#[cfg(test)]
-mod tests;
 mod update;
 
 pub use config::LocalGridMapConfig;
