@@ -8,6 +8,7 @@ mod bench;
 mod case;
 mod cost_map;
 mod grid;
+mod local;
 mod occupied;
 mod targets;
 mod tick;
@@ -58,6 +59,8 @@ fn all(bench: &mut Bench<'_>) -> Result<(), horus_core::Error> {
     let arena = unsafe { ARENA.take() };
 
     grid::run(arena.zeroed::<[i8; 200 * 200]>(), bench)?;
+    let (cells, state) = arena.zeroed::<([u8; 200 * 200], local::State)>();
+    local::run((cells, state), bench)?;
     for case in [case::R11, case::R15] {
         cost_map::run(&case, arena.zeroed::<Near>().split(), bench)?;
         tick::run(&case, arena.zeroed::<Near>().split(), bench)?;
