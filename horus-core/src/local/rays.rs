@@ -57,11 +57,7 @@ pub(super) fn draw(
                 .cell(x, y)
                 .and_then(|end| GridWalk::new(start, end, End::Included, frame.size[0], frame.size[1]));
             if let Some(walk) = walk {
-                walk.for_each(|i| {
-                    if let Some(cell) = cells.get_mut(i) {
-                        *cell = FREE;
-                    }
-                });
+                free(cells, walk);
             }
         }
         if MIN_MARK <= range
@@ -78,6 +74,17 @@ pub(super) fn draw(
         }
     }
     drawn
+}
+
+/// Frees the cells of a ray. Not inlined: beside the arithmetic of beams the loop would have too few
+/// registers.
+#[inline(never)]
+fn free(cells: &mut [u8], walk: GridWalk) {
+    walk.for_each(|i| {
+        if let Some(cell) = cells.get_mut(i) {
+            *cell = FREE;
+        }
+    });
 }
 
 /// Where a sensor mounted on the robot stands.
