@@ -4,6 +4,7 @@ use super::map::occupancy_of;
 use super::{FREE, LocalGridMap, OCCUPIED, UNKNOWN};
 use crate::costmap::{CostMap, FieldCell};
 use crate::error::Error;
+use crate::geometry::GridInfo;
 use crate::grid;
 
 impl<S: AsRef<[u8]>> LocalGridMap<'_, S> {
@@ -23,35 +24,65 @@ impl<S: AsRef<[u8]>> LocalGridMap<'_, S> {
     /// One read per cell of each map; one write per cell that differs; if the window moved, one read
     /// and one write per cell and layer of the cost map.
     pub fn update_cost_map<F: FieldCell>(&self, map: &mut CostMap<'_, F>) -> Result<(), Error> {
-        let (own, its) = (self.info(), map.info());
-        let same = own.width() == its.width()
-            && own.height() == its.height()
-            && own.resolution() == its.resolution()
-            && own.first_origin() == its.first_origin();
-        if !same {
-            return Err(Error::GeometryMismatch);
-        }
-        map.move_to(own.offset());
-        let width = own.width() as usize;
-        if width == 0 {
-            return Ok(());
-        }
-        for (gy, values) in (0..).zip(self.data().chunks_exact(width)) {
-            follow_row(map, gy, values);
-        }
-        Ok(())
+        follow(self.info(), self.data(), map)
     }
 }
 
+/// What can follow a local map.
+pub(crate) trait Follower {
+    fn info(&self) -> &GridInfo;
+    fn cells(&self) -> &[i8];
+    fn move_to(&mut self, offset: [i32; 2]);
+    fn set_occupancy(&mut self, gx: u32, gy: u32, value: i8);
+}
+
+impl<F: FieldCell> Follower for CostMap<'_, F> {
+    fn info(&self) -> &GridInfo {
+        CostMap::info(self)
+    }
+
+    fn cells(&self) -> &[i8] {
+        self.occupancy_grid().data()
+    }
+
+    fn move_to(&mut self, offset: [i32; 2]) {
+        CostMap::move_to(self, offset);
+    }
+
+    fn set_occupancy(&mut self, gx: u32, gy: u32, value: i8) {
+        CostMap::set_occupancy(self, gx, gy, value);
+    }
+}
+
+/// [`LocalGridMap::update_cost_map`].
+pub(crate) fn follow<M: Follower + ?Sized>(own: &GridInfo, cells: &[u8], map: &mut M) -> Result<(), Error> {
+    let its = map.info();
+    let same = own.width() == its.width()
+        && own.height() == its.height()
+        && own.resolution() == its.resolution()
+        && own.first_origin() == its.first_origin();
+    if !same {
+        return Err(Error::GeometryMismatch);
+    }
+    map.move_to(own.offset());
+    let width = own.width() as usize;
+    if width == 0 {
+        return Ok(());
+    }
+    for (gy, values) in (0..).zip(cells.chunks_exact(width)) {
+        follow_row(map, gy, values);
+    }
+    Ok(())
+}
+
 /// Sets the cells of a row that differ.
-fn follow_row<F: FieldCell>(map: &mut CostMap<'_, F>, gy: u32, values: &[u8]) {
+fn follow_row<M: Follower + ?Sized>(map: &mut M, gy: u32, values: &[u8]) {
     let start = gy as usize * values.len();
     let mut gx = 0;
     let mut rest = values;
     while let Some((four, after)) = rest.split_first_chunk::<4>() {
-        let cells = map.occupancy_grid().data();
         let at = start + gx as usize;
-        let present = cells.get(at..at + 4).and_then(<[i8]>::first_chunk::<4>);
+        let present = map.cells().get(at..at + 4).and_then(<[i8]>::first_chunk::<4>);
         if present.map(|present| present.map(|cell| cell as u8)) != Some(occupancies_of(*four)) {
             set_different(map, gx, gy, four);
         }
@@ -61,7 +92,7 @@ fn follow_row<F: FieldCell>(map: &mut CostMap<'_, F>, gy: u32, values: &[u8]) {
     set_different(map, gx, gy, rest);
 }
 
-fn set_different<F: FieldCell>(map: &mut CostMap<'_, F>, gx: u32, gy: u32, values: &[u8]) {
+fn set_different<M: Follower + ?Sized>(map: &mut M, gx: u32, gy: u32, values: &[u8]) {
     for (gx, value) in (gx..).zip(values) {
         map.set_occupancy(gx, gy, occupancy_of(*value));
     }

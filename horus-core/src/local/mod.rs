@@ -28,6 +28,8 @@ mod state;
 mod update;
 
 pub use config::LocalGridMapConfig;
+#[cfg(feature = "c-abi")]
+pub(crate) use cost_map::{Follower, follow};
 pub use footprint::Footprint;
 pub use lidar::Lidar;
 pub use map::LocalGridMap;
