@@ -32,4 +32,7 @@
 /* Every wrong input has its status, and the macros for static memory give enough. */
 void refusals(void);
 
+/* The drives of tests/src/c_local.rs: prints the same lines. */
+void local_drives(void);
+
 #endif

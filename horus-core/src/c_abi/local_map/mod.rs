@@ -5,6 +5,7 @@ mod reads;
 mod update;
 mod writes;
 
+pub(super) use map::LocalMap;
 pub use map::*;
 pub use reads::*;
 pub use update::*;
