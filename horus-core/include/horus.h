@@ -263,23 +263,23 @@ typedef int32_t horus_scan_model_kind;
 #endif // __cplusplus
 
 /// What a local map frees around the robot.
-enum horus_footprint
+enum horus_footprint_kind
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
     /// A square of twice the radius, along the map's axes.
-    HORUS_FOOTPRINT_RECTANGULAR = 0,
+    HORUS_FOOTPRINT_KIND_RECTANGULAR = 0,
     /// A disc of the radius.
-    HORUS_FOOTPRINT_CIRCULAR = 1,
+    HORUS_FOOTPRINT_KIND_CIRCULAR = 1,
     /// Nothing.
-    HORUS_FOOTPRINT_NONE = 2,
+    HORUS_FOOTPRINT_KIND_NONE = 2,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
-typedef enum horus_footprint horus_footprint;
+typedef enum horus_footprint_kind horus_footprint_kind;
 #else
-typedef int32_t horus_footprint;
+typedef int32_t horus_footprint_kind;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
@@ -488,7 +488,7 @@ typedef struct {
     uint32_t height;
     /// Metres per cell.
     float resolution;
-    /// A horus_footprint.
+    /// A horus_footprint_kind.
     int32_t footprint;
     /// Radius of the footprint in metres.
     float radius;

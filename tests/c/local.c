@@ -255,7 +255,7 @@ void local_drives(void)
 {
     local_refusals();
     follow();
-    drive("c: local, square", HORUS_FOOTPRINT_RECTANGULAR, 0.93f);
-    drive("c: local, disc", HORUS_FOOTPRINT_CIRCULAR, 1.11f);
-    drive("c: local, no footprint", HORUS_FOOTPRINT_NONE, 0.0f);
+    drive("c: local, square", HORUS_FOOTPRINT_KIND_RECTANGULAR, 0.93f);
+    drive("c: local, disc", HORUS_FOOTPRINT_KIND_CIRCULAR, 1.11f);
+    drive("c: local, no footprint", HORUS_FOOTPRINT_KIND_NONE, 0.0f);
 }

@@ -22,7 +22,7 @@ pub struct horus_local_map {
 /// What a local map frees around the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
-pub enum horus_footprint {
+pub enum horus_footprint_kind {
     /// A square of twice the radius, along the map's axes.
     Rectangular = 0,
     /// A disc of the radius.
@@ -41,7 +41,7 @@ pub struct horus_local_map_config {
     pub height: u32,
     /// Metres per cell.
     pub resolution: f32,
-    /// A horus_footprint.
+    /// A horus_footprint_kind.
     pub footprint: i32,
     /// Radius of the footprint in metres.
     pub radius: f32,
@@ -80,7 +80,7 @@ pub extern "C" fn horus_local_map_config_default() -> horus_local_map_config {
         width,
         height,
         resolution,
-        footprint: horus_footprint::Rectangular as i32,
+        footprint: horus_footprint_kind::Rectangular as i32,
         radius,
         lidars: 0,
         beams: 0,
@@ -102,9 +102,9 @@ impl horus_local_map_config {
 
     fn footprint(&self) -> Result<Footprint, horus_status> {
         let known = [
-            (horus_footprint::Rectangular, Footprint::Rectangular),
-            (horus_footprint::Circular, Footprint::Circular),
-            (horus_footprint::None, Footprint::None),
+            (horus_footprint_kind::Rectangular, Footprint::Rectangular),
+            (horus_footprint_kind::Circular, Footprint::Circular),
+            (horus_footprint_kind::None, Footprint::None),
         ];
         let found = known.iter().find(|(number, _)| *number as i32 == self.footprint);
         found
