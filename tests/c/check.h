@@ -35,4 +35,7 @@ void refusals(void);
 /* Distances and rays, their wrong input included. */
 void distances_and_rays(void);
 
+/* The drives of tests/src/c_local.rs: prints the same lines. */
+void local_drives(void);
+
 #endif

@@ -244,5 +244,6 @@ int main(void)
     drive(&budgeted, lidar);
     drive(&far, lidar);
     distances_and_rays();
+    local_drives();
     return 0;
 }

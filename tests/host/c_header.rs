@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 /// What the header describes, in its order.
-const SOURCES: [&str; 17] = [
+const SOURCES: [&str; 21] = [
     "c_abi/version.rs",
     "c_abi/sizes.rs",
     "c_abi/status.rs",
@@ -25,6 +25,10 @@ const SOURCES: [&str; 17] = [
     "c_abi/distance/map.rs",
     "c_abi/distance/reads.rs",
     "c_abi/distance/rays.rs",
+    "c_abi/local_map/map.rs",
+    "c_abi/local_map/writes.rs",
+    "c_abi/local_map/update.rs",
+    "c_abi/local_map/reads.rs",
 ];
 
 fn core() -> PathBuf {

@@ -8,6 +8,7 @@
 mod arena;
 pub mod c_distance;
 pub mod c_drive;
+pub mod c_local;
 pub mod drive;
 pub mod hash;
 pub mod meter;

@@ -4,6 +4,7 @@ use core::ptr::NonNull;
 use core::slice;
 
 use crate::grid::BeamSlot;
+use crate::local::BufferSlot;
 
 use super::sizes::HORUS_ALIGN;
 use super::status::horus_status;
@@ -32,6 +33,10 @@ unsafe impl Zeroed for i32 {}
 unsafe impl Zeroed for EnvelopeVertex {}
 // SAFETY: numbers; `EMPTY` is all bits zero.
 unsafe impl Zeroed for BeamSlot {}
+// SAFETY: a number.
+unsafe impl Zeroed for f32 {}
+// SAFETY: numbers, and an enum whose first value is zero.
+unsafe impl Zeroed for BufferSlot {}
 // SAFETY: numbers and flags, arrays of them; `EMPTY` is all bits zero.
 unsafe impl<F: FieldCell> Zeroed for CostTables<F> {}
 

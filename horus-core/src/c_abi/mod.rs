@@ -1,4 +1,5 @@
-//! The library from C: grid, rolling window, scans, cost map, distances and rays behind `include/horus.h`.
+//! The library from C: grid, rolling window, scans, cost map, distances, rays and local map behind
+//! `include/horus.h`.
 //!
 //! The functions carry C's names and do what their Rust namesakes do; their documentation is the
 //! header's. All memory is the caller's: an object lies, with all its buffers behind it, in one
@@ -32,6 +33,7 @@ mod distance;
 mod geometry;
 mod grid;
 mod grid_reads;
+mod local_map;
 mod object;
 #[cfg(all(feature = "panic-handler", target_os = "none"))]
 mod panic;
@@ -49,6 +51,7 @@ pub use distance::*;
 pub use geometry::*;
 pub use grid::*;
 pub use grid_reads::*;
+pub use local_map::*;
 pub use scan::*;
 pub use sizes::*;
 pub use status::*;

@@ -3,10 +3,12 @@
 use super::cost_map::AnyCostMap;
 use super::distance::AnyDistanceMap;
 use super::grid::Grid;
+use super::local_map::{HORUS_LOCAL_MAP_LIDARS, HORUS_LOCAL_MAP_NAME, LocalMap};
 use super::object::Placed;
 use super::scan::Workspace;
 use crate::costmap::{CostMap, CostTables, FieldCell, scratch_words};
 use crate::distance::DistanceMap;
+use crate::local::BufferSlot;
 
 /// Alignment, in bytes, of the memory given to every init.
 pub const HORUS_ALIGN: usize = 8;
@@ -46,6 +48,13 @@ pub const HORUS_DISTANCE_MAP_FIXED_BYTES: usize = 176;
 #[cfg(target_pointer_width = "32")]
 pub const HORUS_DISTANCE_MAP_FIXED_BYTES: usize = 128;
 
+/// Bytes of a local map besides its cells and its lidars' beams.
+#[cfg(target_pointer_width = "64")]
+pub const HORUS_LOCAL_MAP_FIXED_BYTES: usize = 3328;
+/// Bytes of a local map besides its cells and its lidars' beams.
+#[cfg(target_pointer_width = "32")]
+pub const HORUS_LOCAL_MAP_FIXED_BYTES: usize = 2816;
+
 // A constant that fails here is to be raised, and the header written anew.
 const _: () = {
     assert!(size_of::<Placed<Grid>>() <= HORUS_GRID_FIXED_BYTES);
@@ -53,6 +62,7 @@ const _: () = {
     assert!(cost_map::<u8>(15) <= HORUS_COST_MAP_1_FIXED_BYTES);
     assert!(cost_map::<u16>(31) <= HORUS_COST_MAP_2_FIXED_BYTES);
     assert!(distance_map() <= HORUS_DISTANCE_MAP_FIXED_BYTES);
+    assert!(LOCAL_MAP <= HORUS_LOCAL_MAP_FIXED_BYTES);
 };
 
 /// What a distance map takes besides its cells and columns.
@@ -67,3 +77,11 @@ const fn cost_map<F: FieldCell>(radius: u32) -> usize {
     let object = handle + size_of::<CostMap<'static, F>>();
     object + size_of::<CostTables<F>>() + size_of::<u32>() * scratch_words(radius)
 }
+
+/// What a local map takes besides its cells, and 24 bytes per lidar and 16 per beam.
+const LOCAL_MAP: usize = {
+    let object = size_of::<Placed<LocalMap>>().next_multiple_of(HORUS_ALIGN);
+    let names =
+        size_of::<&str>() * HORUS_LOCAL_MAP_LIDARS + HORUS_LOCAL_MAP_NAME * (2 + HORUS_LOCAL_MAP_LIDARS);
+    object + names + size_of::<BufferSlot>() * (5 * HORUS_LOCAL_MAP_LIDARS + 6) + size_of::<f32>() * 12
+};

@@ -231,6 +231,12 @@ impl<'a, F: FieldCell> CostMap<'a, F> {
         Ok(shift)
     }
 
+    /// Moves the window as [`recenter`](Self::recenter) does, to an offset within 2^30 cells.
+    pub(crate) fn move_to(&mut self, offset: [i32; 2]) {
+        let shift = self.grid.move_to(offset);
+        self.layer.shift(shift, UNKNOWN.byte());
+    }
+
     /// Replaces all cells, row-major, each clamped to -1..=100, and recomputes everything.
     ///
     /// # Errors

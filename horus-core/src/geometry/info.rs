@@ -216,6 +216,16 @@ impl GridInfo {
         Some([along(0)?, along(1)?])
     }
 
+    /// Whether the window can move by so many whole cells.
+    pub(crate) fn can_move(&self, shift: [i32; 2]) -> bool {
+        self.moved(shift).is_some()
+    }
+
+    /// Moves the window to another offset, within 2^30 cells.
+    pub(crate) fn move_to(&mut self, offset: [i32; 2]) {
+        self.offset = offset;
+    }
+
     /// Moves the window by a shift that [`shift_to`](Self::shift_to) returned.
     pub(crate) fn shift_by(&mut self, shift: [i32; 2]) {
         if let Some(offset) = self.moved(shift) {

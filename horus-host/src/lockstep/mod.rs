@@ -35,6 +35,7 @@ mod engine;
 mod error;
 mod field;
 mod layers;
+mod local;
 mod mismatch;
 mod ram;
 mod std_side;
@@ -43,7 +44,7 @@ mod storage;
 mod tests;
 mod totals;
 
-pub use config::LockstepConfig;
+pub use config::{LocalMapping, LockstepConfig};
 pub use engine::Lockstep;
 pub use error::LockstepError;
 pub use field::FieldWidth;

@@ -241,6 +241,19 @@ proptest! {
     }
 
     #[test]
+    fn local_maps(picture in picture(), dx in -40i32..40, dy in -40i32..40) {
+        let (width, height, resolution) = (picture.width, picture.height(), picture.resolution);
+        let config = LocalGridMapConfig { width, height, resolution, ..LocalGridMapConfig::default() };
+        let Ok(mut map) = LocalGridMap::new_in(vec![0; picture.kinds.len()], config) else {
+            return Ok(()); // no cells
+        };
+        let along = [dx, dy].map(|cells| cells as f32 * resolution);
+        map.recenter(Pose2D::new(along[0], along[1], 0.0)).unwrap();
+        map.load(&picture.values(local_map)).unwrap();
+        conforms(&map, &picture);
+    }
+
+    #[test]
     fn the_std_version(picture in picture()) {
         let Picture { width, resolution, origin, .. } = picture;
         let pose = reference::Pose2D::new(origin.x.into(), origin.y.into(), origin.theta.into());

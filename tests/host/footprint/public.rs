@@ -26,6 +26,7 @@ pub fn functions_not_named_in_the_probe() -> BTreeSet<String> {
     let called = |name: &str| {
         [
             format!(".{name}("),
+            format!(".{name}::<"),
             format!("::{name}("),
             format!("{name}(opaque"),
         ]

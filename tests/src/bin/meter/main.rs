@@ -9,6 +9,7 @@ mod case;
 mod cost_map;
 mod distance;
 mod grid;
+mod local;
 mod occupied;
 mod rays;
 mod targets;
@@ -60,6 +61,8 @@ fn all(bench: &mut Bench<'_>) -> Result<(), horus_core::Error> {
     let arena = unsafe { ARENA.take() };
 
     grid::run(arena.zeroed::<[i8; 200 * 200]>(), bench)?;
+    let (cells, state) = arena.zeroed::<([u8; 200 * 200], local::State)>();
+    local::run((cells, state), bench)?;
     for case in [case::R11, case::R15] {
         cost_map::run(&case, arena.zeroed::<Near>().split(), bench)?;
         tick::run(&case, arena.zeroed::<Near>().split(), bench)?;

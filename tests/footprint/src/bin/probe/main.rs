@@ -13,6 +13,7 @@ mod frames;
 mod from_c;
 mod geometry;
 mod grid;
+mod local;
 #[cfg(feature = "defmt")]
 mod logged;
 mod requirements;
@@ -55,6 +56,8 @@ fn run() {
     cost_map::call((opaque(cells), buffers), ranges, &mut workspace, frame);
     frames::read(frame, opaque(&mut [0; 12]));
     cost_map::tables();
+    let map = in_bss!([u8; CELLS], [0; CELLS]);
+    local::call(opaque(map), ranges);
     #[cfg(feature = "c-abi")]
     from_c::call();
     #[cfg(feature = "defmt")]
