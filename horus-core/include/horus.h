@@ -5,9 +5,8 @@
  * Costs are bytes: 0 free .. 254 lethal, 255 unknown.
  *
  * Memory. Nothing is allocated. An object (horus_grid, horus_scan_workspace, horus_cost_map,
- * horus_distance_map) lies
- * with all its buffers in one block of your memory, aligned to HORUS_ALIGN: horus_..._bytes() tells
- * how long, horus_..._init() makes it there, and its handle is the block's address. For static
+ * horus_distance_map, horus_local_map) lies with all its buffers in one block of your memory, aligned
+ * to HORUS_ALIGN: horus_..._bytes() tells how long, horus_..._init() makes it there, and its handle is the block's address. For static
  * memory there are macros:
  *
  *     static HORUS_MEMORY(memory, HORUS_COST_MAP_BYTES(200, 200, 1, 0));
@@ -81,6 +80,11 @@
                    12 * (size_t)(width) * ((is_signed) ? 2 : 1) + \
                    (size_t)(width) * (size_t)(height) * (size_t)(cell_bytes))
 
+/// At least horus_local_map_bytes(), as a constant expression.
+#define HORUS_LOCAL_MAP_BYTES(width, height, lidars, beams, publishes) \
+    HORUS_ROUND_UP(HORUS_LOCAL_MAP_FIXED_BYTES + (size_t)(lidars) * (16 * (size_t)(beams) + 24) + \
+                   (size_t)(width) * (size_t)(height) * ((publishes) ? 2 : 1))
+
 
 /// Version of the binary interface: compare it with horus_abi_version() to see that header and
 /// library belong together.
@@ -138,6 +142,22 @@
 /// Bytes of a distance map besides its cells and columns.
 #define HORUS_DISTANCE_MAP_FIXED_BYTES 128
 #endif
+
+#if defined(HORUS_POINTERS_64)
+/// Bytes of a local map besides its cells and its lidars' beams.
+#define HORUS_LOCAL_MAP_FIXED_BYTES 3328
+#endif
+
+#if defined(HORUS_POINTERS_32)
+/// Bytes of a local map besides its cells and its lidars' beams.
+#define HORUS_LOCAL_MAP_FIXED_BYTES 2816
+#endif
+
+/// Most lidars of a local map.
+#define HORUS_LOCAL_MAP_LIDARS 4
+
+/// Bytes of a name in a local map's configuration; a shorter one ends with a zero.
+#define HORUS_LOCAL_MAP_NAME 32
 
 /// Whether a call did what it was asked to. Anything but HORUS_STATUS_OK: nothing has changed and
 /// nothing was written, unless the function says otherwise.
@@ -198,6 +218,18 @@ enum horus_status
     HORUS_STATUS_BUDGET_TOO_SMALL = 24,
     /// A polygon needs three or more finite vertices within 2^30 cells.
     HORUS_STATUS_INVALID_POLYGON = 25,
+    /// A name is longer than 32 bytes.
+    HORUS_STATUS_NAME_TOO_LONG = 26,
+    /// Two lidars of a local map have the same name.
+    HORUS_STATUS_DUPLICATE_NAME = 27,
+    /// A footprint's radius must be finite and not negative.
+    HORUS_STATUS_INVALID_FOOTPRINT_RADIUS = 28,
+    /// A lidar's angles must be finite, its longest range finite and not negative.
+    HORUS_STATUS_INVALID_LIDAR = 29,
+    /// A cost map cannot follow a local map of another size, resolution or first corner.
+    HORUS_STATUS_GEOMETRY_MISMATCH = 30,
+    /// Nothing of this name was written, or something else.
+    HORUS_STATUS_NOT_FOUND = 31,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -267,6 +299,27 @@ typedef int32_t horus_walk_rule;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
+/// What a local map frees around the robot.
+enum horus_footprint_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /// A square of twice the radius, along the map's axes.
+    HORUS_FOOTPRINT_KIND_RECTANGULAR = 0,
+    /// A disc of the radius.
+    HORUS_FOOTPRINT_KIND_CIRCULAR = 1,
+    /// Nothing.
+    HORUS_FOOTPRINT_KIND_NONE = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum horus_footprint_kind horus_footprint_kind;
+#else
+typedef int32_t horus_footprint_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
 /// An occupancy grid with inflated costs that follow its every change. Costs are bytes: 0 free ..
 /// lethal_cost, 255 unknown. It lies in memory of its user.
 typedef struct horus_cost_map horus_cost_map;
@@ -277,6 +330,10 @@ typedef struct horus_distance_map horus_distance_map;
 /// A rolling grid of occupancy values: -1 unknown, 0 free .. 100 occupied, row by row from the
 /// lowest y. It lies in memory of its user.
 typedef struct horus_grid horus_grid;
+
+/// A rolling map of what lidars see around a robot: one byte per cell, 0 occupied, 128 unknown, 255
+/// free, row by row from the lowest y. It lies, with its sensing state, in memory of its user.
+typedef struct horus_local_map horus_local_map;
 
 /// What integrating scans of one lidar needs beside the grid: its beams' directions, computed again
 /// only when the scan's angles change. Keep one per lidar.
@@ -495,6 +552,89 @@ typedef struct {
     /// A horus_walk_rule.
     int32_t rule;
 } horus_ray;
+
+/// Size, sensors and outputs of a local map.
+typedef struct {
+    /// Columns.
+    uint32_t width;
+    /// Rows.
+    uint32_t height;
+    /// Metres per cell.
+    float resolution;
+    /// A horus_footprint_kind.
+    int32_t footprint;
+    /// Radius of the footprint in metres.
+    float radius;
+    /// Lidars, at most HORUS_LOCAL_MAP_LIDARS.
+    uint32_t lidars;
+    /// Most beams of a scan.
+    uint32_t beams;
+    /// Not 0: there is an odometry sensor.
+    uint8_t has_odometry;
+    /// Not 0: room for horus_local_map_publish(), one more byte per cell.
+    uint8_t publishes;
+    /// Not 0: what is published includes the transformation from the map's frame to the world.
+    uint8_t include_transformation;
+    /// Prefix of what is published, UTF-8.
+    uint8_t name[32];
+    /// Name of the odometry sensor, UTF-8.
+    uint8_t odometry[32];
+    /// Names of the lidars, UTF-8, each another one, in the order in which their scans are drawn.
+    uint8_t lidar_names[4][32];
+} horus_local_map_config;
+
+/// A scan of a lidar whose beams are spread evenly over its field of view.
+///
+/// Beam i of n points to start_angle + i * fov / (n - 1) radians, counter-clockwise from the sensor's
+/// x axis. Ranges are metres: +inf is a miss at max_range; NaN and -inf say nothing.
+typedef struct {
+    /// One range per beam.
+    const float *ranges;
+    /// Beams; 0: there is no scan at present.
+    size_t count;
+    /// Where the lidar sits on the robot.
+    horus_pose2d mount;
+    /// Angle of the first beam in radians.
+    float start_angle;
+    /// Angle between the first beam and the last in radians.
+    float fov;
+    /// Longest range in metres.
+    float max_range;
+} horus_lidar_scan;
+
+/// What an update of a local map did.
+typedef struct {
+    /// Cells the window moved.
+    horus_shift shift;
+    /// The robot's pose in the map's frame that was used.
+    horus_pose2d pose;
+    /// 1 if the map has an odometry sensor that has written no pose: the given one was used.
+    uint32_t missing_odometries;
+    /// Lidars whose scans were drawn.
+    uint32_t lidars;
+    /// Lidars that have written no scan.
+    uint32_t missing_lidars;
+    /// Lidars whose scans had no ranges.
+    uint32_t empty_lidars;
+    /// Beams that marked a cell of the map.
+    uint32_t marks;
+    /// Beams that were NaN or -inf.
+    uint32_t ignored;
+} horus_local_update;
+
+/// A map that was published.
+typedef struct {
+    /// All cells, row by row, to be read until the map is next changed.
+    const uint8_t *data;
+    /// Columns.
+    uint32_t width;
+    /// Rows.
+    uint32_t height;
+    /// Metres per cell.
+    float resolution;
+    /// The corner of cell (0, 0) in the map's frame.
+    horus_point origin;
+} horus_grid_map_view;
 
 #ifdef __cplusplus
 extern "C" {
@@ -882,6 +1022,126 @@ horus_status horus_grid_trace(const horus_grid *grid,
                               horus_cell *cells,
                               size_t capacity,
                               size_t *count);
+
+/// A 10 x 10 map of 0.1 m without sensors, navground's defaults.
+horus_local_map_config horus_local_map_config_default(void);
+
+/// Bytes of memory that such a local map takes: one per cell, one more if it publishes, and per lidar
+/// 16 per beam and a few hundred.
+///
+/// Fails with HORUS_STATUS_INVALID_RESOLUTION, HORUS_STATUS_SIZE_OVERFLOW; with
+/// HORUS_STATUS_INVALID_CHOICE for the footprint and the number of lidars.
+horus_status horus_local_map_bytes(const horus_local_map_config *config,
+                                   size_t *bytes);
+
+/// Makes a local map of unknown cells, its corner at the frame's origin, in `length` bytes of memory.
+///
+/// Fails as horus_local_map_bytes() does, and with HORUS_STATUS_BUFFER_TOO_SMALL; with
+/// HORUS_STATUS_INVALID_FOOTPRINT_RADIUS, HORUS_STATUS_INVALID_TEXT, HORUS_STATUS_DUPLICATE_NAME the
+/// memory holds no object.
+horus_status horus_local_map_init(void *memory,
+                                  size_t length,
+                                  const horus_local_map_config *config,
+                                  horus_local_map **map);
+
+/// Writes a scan of a lidar, counted from 0, into the map's sensing state; updates draw it until
+/// another is written.
+///
+/// Fails with HORUS_STATUS_OUTSIDE if there is no such lidar, HORUS_STATUS_BUFFER_TOO_SMALL if it has
+/// fewer beams, HORUS_STATUS_INVALID_LIDAR, HORUS_STATUS_NON_FINITE_POSE.
+horus_status horus_local_map_write_scan(horus_local_map *map,
+                                        uint32_t lidar,
+                                        const horus_lidar_scan *scan);
+
+/// Writes a pose of the odometry sensor, and its twist per second, into the map's sensing state.
+///
+/// Fails with HORUS_STATUS_NOT_FOUND if the map has none, HORUS_STATUS_NON_FINITE_POSE.
+horus_status horus_local_map_write_odometry(horus_local_map *map,
+                                            horus_pose2d pose,
+                                            horus_pose2d twist);
+
+/// Forgets all scans and the odometry's pose.
+horus_status horus_local_map_clear_state(horus_local_map *map);
+
+/// Makes every cell unknown; the window stays where it is.
+horus_status horus_local_map_clear(horus_local_map *map);
+
+/// Replaces all cells, row by row: from 192 on free, below 64 occupied, else unknown.
+///
+/// Fails with HORUS_STATUS_LENGTH_MISMATCH unless count is width * height.
+horus_status horus_local_map_load(horus_local_map *map, const uint8_t *values, size_t count);
+
+/// Moves the window by whole cells so that the pose is nearest to its centre; tells by how many
+/// (`shift` may be NULL). An update does this by itself.
+///
+/// Fails with HORUS_STATUS_NON_FINITE_POSE, HORUS_STATUS_OFFSET_OUT_OF_RANGE.
+horus_status horus_local_map_recenter(horus_local_map *map, horus_pose2d pose, horus_shift *shift);
+
+/// Makes a cost map show the local map: its window moves to where the local map lies, then the cells
+/// that differ are set. The cost map has the same size and resolution, and its origin was 0, 0, 0 when
+/// it was made. Its costs follow with its next update.
+///
+/// Fails with HORUS_STATUS_GEOMETRY_MISMATCH.
+horus_status horus_local_map_update_cost_map(const horus_local_map *map,
+                                             horus_cost_map *cost_map);
+
+/// One update: moves the window with the robot, frees the cells under the footprint, and draws the
+/// lidars' scans one after the other, of each all free rays, then all marks. `pose` is the robot's in
+/// the world; it is also the one in the map's frame where no odometry has been written. `update` may
+/// be NULL.
+///
+/// Fails with HORUS_STATUS_NON_FINITE_POSE, HORUS_STATUS_OFFSET_OUT_OF_RANGE.
+horus_status horus_local_map_update(horus_local_map *map,
+                                    horus_pose2d pose,
+                                    horus_local_update *update);
+
+/// Copies the map into its sensing state, for those who read it there: one who uses the map itself
+/// need not.
+///
+/// Fails with HORUS_STATUS_BUFFER_TOO_SMALL if it was made without room for that.
+horus_status horus_local_map_publish(horus_local_map *map);
+
+/// Size, resolution and place of the local map.
+horus_status horus_local_map_info(const horus_local_map *map, horus_map_info *info);
+
+/// All cells, row by row: *count = width * height bytes at *data, to be read until the next call that
+/// changes the map.
+horus_status horus_local_map_data(const horus_local_map *map,
+                                  const uint8_t **data,
+                                  size_t *count);
+
+/// The value of a cell.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_local_map_value(const horus_local_map *map,
+                                   uint32_t gx,
+                                   uint32_t gy,
+                                   uint8_t *value);
+
+/// The cell that holds a point of the map's frame.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_local_map_cell_at(const horus_local_map *map,
+                                     float x,
+                                     float y,
+                                     horus_cell *cell);
+
+/// The transformation from the map's frame to the world as of the last update.
+///
+/// Fails with HORUS_STATUS_NOT_FOUND before the first.
+horus_status horus_local_map_transformation(const horus_local_map *map,
+                                            horus_pose2d *transformation);
+
+/// What was last published.
+///
+/// Fails with HORUS_STATUS_NOT_FOUND if nothing was.
+horus_status horus_local_map_read_gridmap(const horus_local_map *map, horus_grid_map_view *view);
+
+/// The transformation that was last published.
+///
+/// Fails with HORUS_STATUS_NOT_FOUND if none was.
+horus_status horus_local_map_read_transformation(const horus_local_map *map,
+                                                 horus_pose2d *transformation);
 
 #ifdef __cplusplus
 }  // extern "C"

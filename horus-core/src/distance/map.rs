@@ -225,7 +225,7 @@ impl<'a, D: DistanceCell> DistanceMap<'a, D> {
     /// At most eight cell visits per cell of distance.
     pub fn nearest_obstacle(&self, grid: &impl OccupancyGrid2d, gx: u32, gy: u32) -> Option<(u32, u32)> {
         let cell = self.squared_at(gx, gy)?;
-        if cell.is_obstacle() {
+        if D::SIGNED && cell.is_obstacle() {
             return Some((gx, gy));
         }
         let squared = cell.squared();
