@@ -107,7 +107,7 @@ fn occupancies_of(values: [u8; 4]) -> [u8; 4] {
     let (high, low) = (word >> 7 & ONES, word & ONES);
     let (occupied, unknown) = (high ^ ONES, high & !low);
     // One factor per byte, and at most one of both is set: no carry.
-    (occupied * grid::OCCUPIED as u32 | unknown * 0xff).to_ne_bytes()
+    ((occupied * grid::OCCUPIED as u32) | (unknown * 0xff)).to_ne_bytes()
 }
 
 #[cfg(test)]
