@@ -3,8 +3,9 @@ use super::lidar::ScanView;
 use super::{LocalGridMapConfig, LocalUpdate, OCCUPIED, Odometry, PoseSource, SensingState, UNKNOWN, rays};
 use crate::error::{Buffer, Error, require};
 use crate::geometry::{CELL_LIMIT, GridInfo, Pose2D};
+use crate::grid;
 use crate::grid::ScanWorkspace;
-use crate::{grid, storage};
+use crate::storage;
 
 /// A rolling map of free, unknown and occupied cells around a robot, over caller-provided storage
 /// `S`: one byte per cell.
