@@ -10,6 +10,7 @@
 //! | [`memory`] | how much memory something takes |
 //! | [`grid`] | target `grid` |
 //! | [`costmap`] | targets `costmap_u8` and `costmap_u16` |
+//! | [`distance`] | target `distance` |
 //! | [`local`] | target `local` |
 //! | [`mcap_reader`] | target `mcap_reader` |
 //! | [`frames`] | target `frames` |
@@ -17,6 +18,7 @@
 pub mod compare;
 pub mod costmap;
 pub mod damage;
+pub mod distance;
 pub mod frames;
 pub mod grid;
 pub mod local;
