@@ -1,4 +1,4 @@
-use horus_core::costmap::FieldCell;
+use horus_core::costmap::{CostTables, FieldCell};
 use horus_core::prelude::{
     CostBuffers, CostMap, Error, LaserScan, OccupancyGrid, Pose2D, ScanModel, ScanReport, ScanWorkspace,
 };
@@ -23,34 +23,14 @@ impl<'a> CoreSide<'a> {
             config.resolution,
             config.origin(),
         )?;
-        let (bits, scratch, costs) = (
-            &mut storage.bits[..],
-            &mut storage.scratch[..],
-            storage.costs.as_deref_mut(),
-        );
-        let map: Box<dyn CoreMap + 'a> = match &mut storage.field {
-            FieldStorage::One(field, tables) => {
-                let tables = tables.split().1.tables;
-                let buffers = CostBuffers {
-                    bits,
-                    field,
-                    scratch,
-                    costs,
-                    tables,
-                };
-                Box::new(CostMap::new_in(grid, buffers, config.params)?)
-            }
-            FieldStorage::Two(field, tables) => {
-                let tables = tables.split().1.tables;
-                let buffers = CostBuffers {
-                    bits,
-                    field,
-                    scratch,
-                    costs,
-                    tables,
-                };
-                Box::new(CostMap::new_in(grid, buffers, config.params)?)
-            }
+        let rest = Buffers {
+            bits: &mut storage.bits,
+            scratch: &mut storage.scratch,
+            costs: storage.costs.as_deref_mut(),
+        };
+        let map = match &mut storage.field {
+            FieldStorage::One(field, tables) => rest.map(grid, field, tables, config)?,
+            FieldStorage::Two(field, tables) => rest.map(grid, field, tables, config)?,
         };
         Ok(Self {
             map,
@@ -74,6 +54,33 @@ impl<'a> CoreSide<'a> {
     /// Copies the map out.
     pub fn read(&self, layers: &mut Layers) {
         self.map.read(layers);
+    }
+}
+
+/// What a cost map borrows whatever the type of its field.
+struct Buffers<'a> {
+    bits: &'a mut [u32],
+    scratch: &'a mut [u32],
+    costs: Option<&'a mut [u8]>,
+}
+
+impl<'a> Buffers<'a> {
+    fn map<F: FieldCell>(
+        self,
+        grid: OccupancyGrid<&'a mut [i8]>,
+        field: &'a mut [F],
+        tables: &'a mut CostTables<F>,
+        config: &LockstepConfig,
+    ) -> Result<Box<dyn CoreMap + 'a>, Error> {
+        let Self { bits, scratch, costs } = self;
+        let buffers = CostBuffers {
+            bits,
+            field,
+            scratch,
+            costs,
+            tables,
+        };
+        Ok(Box::new(CostMap::new_in(grid, buffers, config.params)?))
     }
 }
 
