@@ -9,6 +9,9 @@
 //! | [`tf`] | the transforms of a log, interpolated at any recorded time |
 //! | [`sim`] | a made-up building with a robot and a lidar: input that needs no files |
 //! | [`picture`] | PNG pictures and small character windows of grids |
+//! | [`map_server`] | maps as nav2's `map_server` files: YAML with a PGM or PNG image |
+//! | [`topic`] | live data between processes over shared memory |
+//! | [`yaml`] | YAML files, with positions in errors |
 //! | [`prelude`] | the names a program needs to use the std version |
 //!
 //! [`mod@reference`], [`log`], [`tf`], [`sim`] and [`picture`] know nothing of each other and nothing
@@ -21,8 +24,11 @@
 pub mod frames;
 pub mod lockstep;
 pub mod log;
+pub mod map_server;
 pub mod picture;
 pub mod prelude;
 pub mod reference;
 pub mod sim;
 pub mod tf;
+pub mod topic;
+pub mod yaml;

@@ -5,7 +5,9 @@
 
 mod byte_source;
 mod compare;
+mod cost_options;
 mod demo;
+mod map;
 mod map_geometry;
 mod map_log;
 mod map_options;
@@ -47,6 +49,7 @@ pub fn run() -> ExitCode {
         Command::Replay(options) => replay::run(options),
         Command::Compare(options) => compare::run(options),
         Command::Record(options) => record::run(options),
+        Command::Map(options) => map::run(options),
     };
     match result {
         Ok(verdict) => verdict.into(),
@@ -75,6 +78,8 @@ enum Command {
     Compare(compare::CompareOptions),
     /// Record the frames of a target (serial device, file or standard input) as a log
     Record(record::RecordOptions),
+    /// Turn a nav2 map_server file into costs and distances, or save a map as one
+    Map(map::MapOptions),
 }
 
 const EXAMPLES: &str = "\
@@ -86,5 +91,7 @@ Examples:
   horus-host replay drive.mcap --preset nav2 --scan /front/scan --odom-frame map
   horus-host compare out/core.mcap out/std.mcap
   horus-host record /dev/ttyACM0 --baud 921600 --out target.mcap
+  horus-host map warehouse.yaml --radius 0.4 --out out
+  horus-host map save out/core.mcap room.yaml --topic /local_map
 
 Exit codes: 0 everything equal or recorded, 1 a mismatch or a loss, 2 bad input or usage.";

@@ -14,15 +14,14 @@ pub(super) struct CoreSide<'a> {
 }
 
 impl<'a> CoreSide<'a> {
-    pub fn new(config: &LockstepConfig, storage: &'a mut CoreStorage) -> Result<Self, LockstepError> {
+    /// A map whose corner lies at `origin`.
+    pub fn new(
+        config: &LockstepConfig,
+        origin: Pose2D,
+        storage: &'a mut CoreStorage,
+    ) -> Result<Self, LockstepError> {
         let LockstepConfig { width, height, .. } = *config;
-        let grid = OccupancyGrid::new_in(
-            &mut storage.cells[..],
-            width,
-            height,
-            config.resolution,
-            config.origin(),
-        )?;
+        let grid = OccupancyGrid::new_in(&mut storage.cells[..], width, height, config.resolution, origin)?;
         let rest = Buffers {
             bits: &mut storage.bits,
             scratch: &mut storage.scratch,
@@ -54,6 +53,18 @@ impl<'a> CoreSide<'a> {
     /// Copies the map out.
     pub fn read(&self, layers: &mut Layers) {
         self.map.read(layers);
+    }
+
+    pub fn load(&mut self, cells: &[i8]) -> Result<(), Error> {
+        self.map.load(cells)
+    }
+
+    pub fn occupancy(&self) -> &[i8] {
+        self.map.occupancy()
+    }
+
+    pub fn read_row(&self, gy: u32, costs: &mut [u8]) {
+        self.map.read_row(gy, costs);
     }
 }
 
@@ -96,6 +107,9 @@ trait CoreMap {
     ) -> Result<ScanReport, Error>;
     fn update_costs(&mut self);
     fn read(&self, layers: &mut Layers);
+    fn load(&mut self, cells: &[i8]) -> Result<(), Error>;
+    fn occupancy(&self) -> &[i8];
+    fn read_row(&self, gy: u32, costs: &mut [u8]);
 }
 
 impl<F: FieldCell> CoreMap for CostMap<'_, F> {
@@ -125,6 +139,20 @@ impl<F: FieldCell> CoreMap for CostMap<'_, F> {
         match self.costs() {
             Some(costs) => layers.costs.extend_from_slice(costs),
             None => (0..self.info().height()).for_each(|gy| layers.costs.extend(self.row(gy))),
+        }
+    }
+
+    fn load(&mut self, cells: &[i8]) -> Result<(), Error> {
+        CostMap::load(self, cells)
+    }
+
+    fn occupancy(&self) -> &[i8] {
+        self.occupancy_grid().data()
+    }
+
+    fn read_row(&self, gy: u32, costs: &mut [u8]) {
+        for (cost, value) in costs.iter_mut().zip(self.row(gy)) {
+            *cost = value;
         }
     }
 }

@@ -9,6 +9,7 @@ mod ascii;
 mod cells;
 mod error;
 mod image;
+mod indexed;
 pub mod palette;
 #[cfg(test)]
 mod tests;
@@ -21,6 +22,7 @@ pub use self::ascii::ascii_window;
 pub use self::cells::Cells;
 pub use self::error::PictureError;
 pub use self::image::Picture;
+pub use self::indexed::indexed_png;
 
 /// Writes an occupancy grid (-1 unknown, 0 to 100) as a PNG file, `scale` pixels to a cell.
 ///
