@@ -1,5 +1,7 @@
 //! Painted grids.
 
+use std::fs::File;
+use std::io::BufWriter;
 use std::path::Path;
 
 use image::{ImageFormat, Rgb, RgbImage};
@@ -119,7 +121,31 @@ impl Picture {
             })
     }
 
-    fn blank(width: u32, height: u32, scale: u32) -> Result<Self, PictureError> {
+    /// Writes the picture as [`save`](Self::save) does, with one colour transparent.
+    ///
+    /// # Errors
+    /// [`PictureError::Write`], which names the path.
+    pub fn save_with_transparent(&self, path: &Path, colour: Rgb<u8>) -> Result<(), PictureError> {
+        let write = || -> Result<(), png::EncodingError> {
+            let file = BufWriter::new(File::create(path)?);
+            let mut encoder = png::Encoder::new(file, self.image.width(), self.image.height());
+            encoder.set_color(png::ColorType::Rgb);
+            encoder.set_trns(colour.0.map(|channel| [0, channel]).concat());
+            let mut writer = encoder.write_header()?;
+            writer.write_image_data(self.image.as_raw())?;
+            writer.finish()
+        };
+        write().map_err(|error| PictureError::Write {
+            path: path.to_path_buf(),
+            source: image::ImageError::IoError(error.into()),
+        })
+    }
+
+    pub(super) fn image_mut(&mut self) -> &mut RgbImage {
+        &mut self.image
+    }
+
+    pub(super) fn blank(width: u32, height: u32, scale: u32) -> Result<Self, PictureError> {
         let scaled = |cells: u32| cells.checked_mul(scale).filter(|&pixels| pixels > 0);
         scaled(width)
             .zip(scaled(height))

@@ -11,6 +11,7 @@ mod error;
 mod image;
 mod indexed;
 pub mod palette;
+mod strip;
 #[cfg(test)]
 mod tests;
 

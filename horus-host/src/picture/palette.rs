@@ -6,6 +6,8 @@ use super::Rgb;
 
 /// Unknown cells: the grey-green of RViz.
 pub const UNKNOWN: Rgb<u8> = Rgb([0x70, 0x89, 0x86]);
+/// Cost 0: white; RViz shows what lies below.
+pub const FREE: Rgb<u8> = Rgb([255; 3]);
 /// Lethal cost: magenta.
 pub const LETHAL: Rgb<u8> = Rgb([255, 0, 255]);
 /// Inscribed cost: cyan.
@@ -32,7 +34,7 @@ pub fn occupancy(value: i8) -> Rgb<u8> {
 /// [`INSCRIBED`].
 pub fn cost(cost: u8, lethal_cost: u8) -> Rgb<u8> {
     match cost {
-        0 => Rgb([255; 3]),
+        0 => FREE,
         u8::MAX => UNKNOWN,
         _ if cost == lethal_cost => LETHAL,
         1..=252 => {
@@ -41,6 +43,49 @@ pub fn cost(cost: u8, lethal_cost: u8) -> Rgb<u8> {
         }
         _ => INSCRIBED,
     }
+}
+
+/// A cost as an occupancy grid carries it, as RViz's `costmap` scheme shows it: 0 white (RViz:
+/// transparent), 1 to 98 from blue to red, 99 [`INSCRIBED`], 100 [`LETHAL`], -1 [`UNKNOWN`]. Values no
+/// grid should hold as in [`occupancy`].
+pub fn viewable_cost(value: i8) -> Rgb<u8> {
+    match value {
+        0 => FREE,
+        1..=98 => {
+            let red = (255 * i32::from(value) / 100) as u8;
+            Rgb([red, 0, 255 - red])
+        }
+        99 => INSCRIBED,
+        100 => LETHAL,
+        _ => occupancy(value),
+    }
+}
+
+/// A distance in metres: 0 black to `farthest` white; NaN [`UNKNOWN`]; below 0, inside obstacles,
+/// from black to blue.
+pub fn distance(metres: f32, farthest: f32) -> Rgb<u8> {
+    if metres.is_nan() {
+        return UNKNOWN;
+    }
+    let level = (metres.abs() / farthest.max(f32::MIN_POSITIVE)).min(1.0);
+    let level = (255.0 * level) as u8;
+    if metres < 0.0 {
+        Rgb([0, 0, level])
+    } else {
+        Rgb([level; 3])
+    }
+}
+
+/// Evidence: the more a cell is free, the greener, the more occupied, the redder; unknown is
+/// [`UNKNOWN`].
+pub fn evidence(free: f32, occupied: f32) -> Rgb<u8> {
+    let unknown = (1.0 - free - occupied).clamp(0.0, 1.0);
+    let mix = |own: f32, grey: u8| (255.0 * own.clamp(0.0, 1.0) + f32::from(grey) * unknown).min(255.0) as u8;
+    Rgb([
+        mix(occupied, UNKNOWN.0[0]),
+        mix(free, UNKNOWN.0[1]),
+        mix(0.0, UNKNOWN.0[2]),
+    ])
 }
 
 /// A difference of two grids: [`EQUAL`] grey, red where the first is greater, blue where it is

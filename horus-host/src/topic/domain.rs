@@ -2,7 +2,9 @@ use std::env;
 use std::fs;
 use std::path::PathBuf;
 
-use iceoryx2::prelude::{Config, FileName, Path, SemanticString};
+use iceoryx2::prelude::{CallbackProgression, Config, FileName, Path, SemanticString, Service as _, ipc};
+
+use iceoryx2::service::static_config::messaging_pattern::MessagingPattern as ServicePattern;
 
 use super::TopicError;
 
@@ -79,6 +81,27 @@ impl Domain {
                 }
             }
         }
+    }
+
+    /// Names of the topics that somebody has open.
+    ///
+    /// # Errors
+    /// [`TopicError::Open`] if shared memory cannot be read.
+    pub fn topics(&self) -> Result<Vec<String>, TopicError> {
+        let mut names = Vec::new();
+        let listed = ipc::Service::list(&self.config, |service| {
+            let details = &service.static_details;
+            if matches!(details.messaging_pattern(), ServicePattern::PublishSubscribe(_)) {
+                names.push(details.name().to_string());
+            }
+            CallbackProgression::Continue
+        });
+        listed.map_err(|error| TopicError::Open {
+            topic: "list".to_owned(),
+            reason: format!("{error:?}"),
+        })?;
+        names.sort();
+        Ok(names)
     }
 
     pub(super) fn config(&self) -> &Config {

@@ -54,20 +54,32 @@ pub struct ScanHeader {
     pub frame_id: [u8; FRAME_LEN],
 }
 
-/// What precedes a transform: seven numbers, x, y, z and a quaternion x, y, z, w.
+/// What precedes transforms.
 #[derive(Debug, Clone, Copy, Default, PartialEq, ZeroCopySend)]
 #[repr(C)]
 pub struct TransformHeader {
     /// Nanoseconds since the epoch of its sender.
     pub timestamp_ns: u64,
-    /// 1 if it holds for all times.
+    /// Number of transforms.
+    pub count: u32,
+    /// 1 if they hold for all times.
     pub is_static: u32,
-    /// Zero.
-    pub reserved: u32,
+}
+
+/// Where a frame stands in its parent.
+#[derive(Debug, Clone, Copy, Default, PartialEq, ZeroCopySend)]
+#[repr(C)]
+pub struct TransformEntry {
+    /// Nanoseconds since the epoch of its sender.
+    pub timestamp_ns: u64,
     /// Name of the parent frame, UTF-8, zero-filled.
     pub parent: [u8; FRAME_LEN],
     /// Name of the child frame, UTF-8, zero-filled.
     pub child: [u8; FRAME_LEN],
+    /// x, y, z, metres.
+    pub translation: [f64; 3],
+    /// Quaternion x, y, z, w.
+    pub rotation: [f64; 4],
 }
 
 impl Default for GridHeader {
@@ -91,6 +103,8 @@ unsafe impl Plain for GridHeader {}
 unsafe impl Plain for ScanHeader {}
 // SAFETY: as above.
 unsafe impl Plain for TransformHeader {}
+// SAFETY: as above.
+unsafe impl Plain for TransformEntry {}
 
 impl Counted for GridHeader {
     fn count(&self) -> usize {
@@ -106,7 +120,7 @@ impl Counted for ScanHeader {
 
 impl Counted for TransformHeader {
     fn count(&self) -> usize {
-        7
+        self.count as usize
     }
 }
 
@@ -154,7 +168,7 @@ impl GridHeader {
 }
 
 /// A frame's name as it stands in headers: cut at a character, zero-filled.
-pub(crate) fn frame(name: &str) -> [u8; FRAME_LEN] {
+pub fn frame_bytes(name: &str) -> [u8; FRAME_LEN] {
     let mut bytes = [0; FRAME_LEN];
     let mut len = name.len().min(FRAME_LEN);
     while !name.is_char_boundary(len) {
@@ -167,7 +181,7 @@ pub(crate) fn frame(name: &str) -> [u8; FRAME_LEN] {
 }
 
 /// The name in a header; what is no UTF-8 is replaced.
-pub(crate) fn name(bytes: &[u8]) -> String {
+pub fn frame_name(bytes: &[u8]) -> String {
     let end = bytes.iter().position(|&byte| byte == 0).unwrap_or(bytes.len());
     String::from_utf8_lossy(bytes.get(..end).unwrap_or_default()).into_owned()
 }
@@ -180,14 +194,15 @@ mod tests {
     fn headers_have_no_padding() {
         assert_eq!(size_of::<GridHeader>(), 8 + 24 + 4 * 4 + 32 + 64);
         assert_eq!(size_of::<ScanHeader>(), 8 + 6 * 4 + 4 + 4 + 32);
-        assert_eq!(size_of::<TransformHeader>(), 8 + 4 + 4 + 64);
+        assert_eq!(size_of::<TransformHeader>(), 8 + 4 + 4);
+        assert_eq!(size_of::<TransformEntry>(), 8 + 2 * 32 + 7 * 8);
     }
 
     #[test]
     fn frames_are_cut_at_a_character() {
-        assert_eq!(name(&frame("base_link")), "base_link");
+        assert_eq!(frame_name(&frame_bytes("base_link")), "base_link");
         let long = format!("{}é", "a".repeat(31));
-        assert_eq!(name(&frame(&long)), "a".repeat(31));
-        assert_eq!(name(&[0xff, 0]), "\u{fffd}");
+        assert_eq!(frame_name(&frame_bytes(&long)), "a".repeat(31));
+        assert_eq!(frame_name(&[0xff, 0]), "\u{fffd}");
     }
 }

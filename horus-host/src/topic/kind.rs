@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use iceoryx2::prelude::ZeroCopySend;
 
-use super::{GridHeader, ScanHeader, TransformHeader};
+use super::{GridHeader, ScanHeader, TransformEntry, TransformHeader};
 
 /// Numbers of a fixed layout, for which all bits zero are a value.
 ///
@@ -18,8 +18,6 @@ unsafe impl Plain for i8 {}
 unsafe impl Plain for u8 {}
 // SAFETY: numbers.
 unsafe impl Plain for f32 {}
-// SAFETY: numbers.
-unsafe impl Plain for f64 {}
 // SAFETY: arrays of what is plain have no padding.
 unsafe impl<T: Plain, const N: usize> Plain for [T; N] {}
 
@@ -66,6 +64,6 @@ kinds! {
     Distance: GridHeader, [f32], "distance_map";
     /// Ranges in metres, REP 117.
     Scan: ScanHeader, [f32], "laser_scan";
-    /// Where a frame stands in its parent: x, y, z in metres and a quaternion x, y, z, w.
-    Transform: TransformHeader, [f64], "transform";
+    /// Where frames stand in their parents.
+    Transforms: TransformHeader, [TransformEntry], "transforms";
 }

@@ -1,10 +1,8 @@
 //! `horus-host compare`: equal, different, unreadable.
 
-mod cli_support;
-
 use std::fs;
 
-use cli_support::{S, TestLog, code, json, refused, run, scan_at, scratch};
+use crate::support::{S, TestLog, code, json, refused, run, scan_at, scratch};
 
 #[test]
 fn one_changed_range_is_found_and_named() {
