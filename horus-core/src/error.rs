@@ -52,6 +52,8 @@ pub enum Error {
     /// A polygon with fewer than three vertices, or with a vertex that is not finite or is
     /// farther than 2^30 cells away.
     InvalidPolygon,
+    /// A window of cells that reaches out of its grid, or whose end lies before its start.
+    WindowOutside,
 }
 
 /// The buffer that was too short.
@@ -74,6 +76,10 @@ pub enum Buffer {
     Seen,
     /// A frame being built, see [`MIN_BUFFER`](crate::frames::MIN_BUFFER).
     Frame,
+    /// Squared distances, one per cell of the [region](crate::distance::DistanceMap::region).
+    Distances,
+    /// Vertices of a distance map, one per column, two if signed.
+    Vertices,
 }
 
 /// The parameter that was out of range.
@@ -139,6 +145,7 @@ impl fmt::Display for Error {
                 write!(f, "a budget of {given} cell visits is below the smallest, {min}")
             }
             Self::InvalidPolygon => f.write_str("a polygon needs three or more finite vertices"),
+            Self::WindowOutside => f.write_str("a window of cells does not lie in its grid"),
         }
     }
 }
