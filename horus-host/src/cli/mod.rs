@@ -27,6 +27,7 @@ mod skipped;
 mod step;
 mod summary;
 mod survey;
+mod value_grid;
 mod verdict;
 
 use std::process::ExitCode;

@@ -27,7 +27,7 @@ const PAUSE: Duration = Duration::from_millis(10);
 const TRIES: u32 = 100;
 
 /// Most publishers and subscribers of a topic, dead ones not yet cleaned included.
-const PORTS: usize = 16;
+const PORTS: usize = 8;
 /// Messages that a subscriber may hold.
 const HELD: usize = 4;
 
@@ -171,6 +171,11 @@ impl<P: IceoryxSend + Debug + ?Sized + 'static, H: ZeroCopySend + Debug + 'stati
     /// Listens to subscribers from now on; to be called before the publisher is made.
     pub fn listen(&self) -> Result<(), TopicError> {
         self.listener().map(drop)
+    }
+
+    /// What the topic was opened with.
+    pub fn options(&self) -> &TopicOptions {
+        &self.options
     }
 
     /// Removes what killed processes left.

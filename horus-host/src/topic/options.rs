@@ -10,6 +10,9 @@ pub struct TopicOptions {
     pub reliable: bool,
     /// How long it waits; then the message is lost for that subscriber and `send` is an error.
     pub patience: Duration,
+    /// Elements that messages of a [`SliceTopic`](super::SliceTopic) are expected to have. Longer ones
+    /// are sent as well, but those that nobody has read yet when the publisher ends are lost.
+    pub expected_len: usize,
 }
 
 impl Default for TopicOptions {
@@ -19,6 +22,7 @@ impl Default for TopicOptions {
             buffer: 8,
             reliable: false,
             patience: Duration::from_secs(2),
+            expected_len: 1,
         }
     }
 }

@@ -108,8 +108,12 @@ impl<K: Kind> SliceTopic<K> {
     }
 
     fn publisher(&self) -> Result<&Publisher<ipc::Service, [K::Element], K::Header>, TopicError> {
-        self.channel
-            .publisher(|builder| builder.allocation_strategy(AllocationStrategy::PowerOfTwo))
+        let expected_len = self.channel.options().expected_len.max(1);
+        self.channel.publisher(|builder| {
+            builder
+                .initial_max_slice_len(expected_len)
+                .allocation_strategy(AllocationStrategy::PowerOfTwo)
+        })
     }
 
     fn uninit(

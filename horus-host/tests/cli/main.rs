@@ -1,8 +1,11 @@
 //! The command line, run as its users run it.
 
 mod bad_input;
+mod bridge;
 mod compare;
 mod demo;
+mod map;
 mod record;
 mod replay;
 mod support;
+mod views;

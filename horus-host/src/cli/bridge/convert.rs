@@ -1,8 +1,8 @@
 //! Messages of logs as messages of topics, and back.
 
 use horus_host::log::msg::{
-    Costmap, CostmapMetaData, Grid, Header, LaserScan, MapMetaData, NumericType, OccupancyGrid,
-    PackedElementField, Pose, Quaternion, TFMessage, Time, Transform, TransformStamped, Vector2, Vector3,
+    Costmap, CostmapMetaData, Header, LaserScan, MapMetaData, OccupancyGrid, Pose, Quaternion, TFMessage,
+    Time, Transform, TransformStamped, Vector3,
 };
 use horus_host::topic::{GridHeader, ScanHeader, TransformEntry, TransformHeader, frame_bytes, frame_name};
 
@@ -150,64 +150,5 @@ pub fn tf(entries: &[TransformEntry]) -> TFMessage {
     };
     TFMessage {
         transforms: entries.iter().map(stamped).collect(),
-    }
-}
-
-/// Header and the named values of every cell, if they are all there as 32-bit floats and the cells are
-/// packed by rows.
-pub fn values<const N: usize>(grid: &Grid, names: [&str; N]) -> Option<(GridHeader, Vec<[f32; N]>)> {
-    let mut offsets = [0; N];
-    for (offset, name) in offsets.iter_mut().zip(names) {
-        let is_it =
-            |field: &&PackedElementField| field.name == name && field.r#type == NumericType::Float32 as u8;
-        *offset = grid.fields.iter().find(is_it)?.offset as usize;
-    }
-    let (row, cell, columns) = (
-        grid.row_stride as usize,
-        grid.cell_stride as usize,
-        grid.column_count as usize,
-    );
-    if cell == 0 || row != columns.checked_mul(cell)? || row == 0 || !grid.data.len().is_multiple_of(row) {
-        return None;
-    }
-    let mut cells = Vec::with_capacity(grid.data.len() / cell);
-    for cell in grid.data.chunks_exact(cell) {
-        let mut values = [0.0; N];
-        for (value, offset) in values.iter_mut().zip(offsets) {
-            *value = f32::from_le_bytes(*cell.get(offset..)?.first_chunk()?);
-        }
-        cells.push(values);
-    }
-    let header = GridHeader {
-        timestamp_ns: stamp(grid.timestamp),
-        origin: origin(&grid.pose),
-        resolution: grid.cell_size.x as f32,
-        width: grid.column_count,
-        height: u32::try_from(grid.data.len() / row).ok()?,
-        frame_id: frame_bytes(&grid.frame_id),
-        ..GridHeader::default()
-    };
-    Some((header, cells))
-}
-
-/// A grid with the named values.
-pub fn grid<const N: usize>(
-    header: &GridHeader,
-    names: [&str; N],
-    cells: impl Iterator<Item = [f32; N]>,
-) -> Grid {
-    let stride = 4 * N as u32;
-    let side = f64::from(header.resolution);
-    let field = |(i, name): (u32, &str)| PackedElementField::new(name, 4 * i, NumericType::Float32);
-    Grid {
-        timestamp: Time::from_ns(header.timestamp_ns),
-        frame_id: frame_name(&header.frame_id),
-        pose: pose(header.origin),
-        column_count: header.width,
-        cell_size: Vector2 { x: side, y: side },
-        row_stride: header.width.saturating_mul(stride),
-        cell_stride: stride,
-        fields: (0..).zip(names).map(field).collect(),
-        data: cells.flatten().flat_map(f32::to_le_bytes).collect(),
     }
 }

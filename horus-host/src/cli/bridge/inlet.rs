@@ -5,8 +5,8 @@ use horus_host::log::{LogError, LogWriter};
 use horus_host::topic::kind::Kind;
 use horus_host::topic::{Domain, SliceTopic, TopicError, TopicOptions, kind};
 
-use super::outlet::{DISTANCE, EVIDENCE};
 use super::{convert, options};
+use crate::cli::value_grid::{self, DISTANCE, EVIDENCE};
 
 type Log = LogWriter<BufWriter<File>>;
 
@@ -69,7 +69,7 @@ impl Inlet {
                 log.write(
                     topic,
                     header.timestamp_ns,
-                    &convert::grid(header, DISTANCE, cells),
+                    &value_grid::grid(header, DISTANCE, cells),
                 )
             }),
             Self::Evidence(inlet) => take(inlet, |header, cells| {
@@ -77,7 +77,7 @@ impl Inlet {
                 log.write(
                     topic,
                     header.timestamp_ns,
-                    &convert::grid(header, EVIDENCE, cells),
+                    &value_grid::grid(header, EVIDENCE, cells),
                 )
             }),
         }

@@ -12,7 +12,7 @@ pub use publish::{PublishOptions, run as publish};
 pub use subscribe::{SubscribeOptions, run as subscribe};
 
 /// Messages that wait for a subscriber.
-const BUFFER: usize = 64;
+const BUFFER: usize = 16;
 
 /// How `pub` sends: nothing is lost while subscribers live.
 fn options() -> TopicOptions {

@@ -1,9 +1,11 @@
 use horus_host::log::LogMessage;
 use horus_host::log::msg::{Costmap, Grid, LaserScan, Message, OccupancyGrid, TFMessage};
-use horus_host::topic::{Domain, SliceTopic, TopicError, kind};
+use horus_host::topic::kind::Kind;
+use horus_host::topic::{Domain, SliceTopic, TopicError, TopicOptions, kind};
 use std::time::Duration;
 
 use super::{convert, options};
+use crate::cli::value_grid::{self, DISTANCE, EVIDENCE};
 
 /// A topic that messages of a log are sent on.
 pub enum Outlet {
@@ -15,25 +17,28 @@ pub enum Outlet {
     Evidence(SliceTopic<kind::Evidence>),
 }
 
-/// Names of the values in grids of the log.
-pub const DISTANCE: [&str; 1] = ["distance"];
-pub const EVIDENCE: [&str; 2] = ["free", "occupied"];
-
 impl Outlet {
     /// The topic for messages like this one; `None` if no topic carries them.
     pub fn open(domain: &Domain, message: &LogMessage) -> anyhow::Result<Option<Self>> {
-        let name = message.topic();
+        fn open<K: Kind>(domain: &Domain, message: &LogMessage) -> Result<SliceTopic<K>, TopicError> {
+            let options = TopicOptions {
+                // A little more than it has: the payload has a header.
+                expected_len: message.payload.len() / size_of::<K::Element>() + 1,
+                ..options()
+            };
+            SliceTopic::open(domain, message.topic(), options)
+        }
         Ok(Some(match message.channel.type_name.as_str() {
-            OccupancyGrid::TYPE => Self::Map(SliceTopic::open(domain, name, options())?),
-            Costmap::TYPE => Self::Costs(SliceTopic::open(domain, name, options())?),
-            LaserScan::TYPE => Self::Scan(SliceTopic::open(domain, name, options())?),
-            TFMessage::TYPE => Self::Transforms(SliceTopic::open(domain, name, options())?),
+            OccupancyGrid::TYPE => Self::Map(open(domain, message)?),
+            Costmap::TYPE => Self::Costs(open(domain, message)?),
+            LaserScan::TYPE => Self::Scan(open(domain, message)?),
+            TFMessage::TYPE => Self::Transforms(open(domain, message)?),
             Grid::TYPE => {
                 let grid: Grid = message.decode()?;
-                if convert::values(&grid, DISTANCE).is_some() {
-                    Self::Distance(SliceTopic::open(domain, name, options())?)
-                } else if convert::values(&grid, EVIDENCE).is_some() {
-                    Self::Evidence(SliceTopic::open(domain, name, options())?)
+                if value_grid::values(&grid, DISTANCE).is_some() {
+                    Self::Distance(open(domain, message)?)
+                } else if value_grid::values(&grid, EVIDENCE).is_some() {
+                    Self::Evidence(open(domain, message)?)
                 } else {
                     return Ok(None);
                 }
@@ -74,11 +79,11 @@ impl Outlet {
                     convert::transforms(&message.decode()?, message.log_time_ns, is_static);
                 topic.send(header, &entries)?
             }
-            Self::Distance(topic) => match convert::values(&message.decode()?, DISTANCE) {
+            Self::Distance(topic) => match value_grid::values(&message.decode()?, DISTANCE) {
                 Some((header, cells)) => topic.send(header, cells.as_flattened())?,
                 None => 0,
             },
-            Self::Evidence(topic) => match convert::values(&message.decode()?, EVIDENCE) {
+            Self::Evidence(topic) => match value_grid::values(&message.decode()?, EVIDENCE) {
                 Some((header, cells)) => topic.send(header, &cells)?,
                 None => 0,
             },

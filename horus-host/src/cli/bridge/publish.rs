@@ -14,6 +14,9 @@ use crate::cli::report;
 use crate::cli::survey::in_file;
 use crate::cli::verdict::Verdict;
 
+/// How long topics stay after the last message, so that those who read slowly can open what grew.
+const LINGER: Duration = Duration::from_millis(300);
+
 /// Publish a log over shared memory.
 #[derive(Debug, Args)]
 pub struct PublishOptions {
@@ -115,6 +118,9 @@ pub fn run(options: &PublishOptions) -> anyhow::Result<Verdict> {
         outlet.send(&message).with_context(|| log.display().to_string())?;
         *published.topics.entry(message.topic().to_owned()).or_default() += 1;
         published.messages += 1;
+    }
+    if published.messages > 0 {
+        thread::sleep(LINGER);
     }
     let text = format!(
         "{}: {} messages sent, {} of other types skipped",

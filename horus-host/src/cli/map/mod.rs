@@ -1,5 +1,6 @@
 //! `map`: maps of nav2's map_server.
 
+mod distances;
 mod facts;
 mod layers;
 mod save;
@@ -7,8 +8,9 @@ mod source;
 
 use std::path::PathBuf;
 
-use anyhow::Context;
-use clap::{Args, Subcommand};
+use anyhow::{Context, bail};
+use clap::{Args, Subcommand, ValueEnum};
+use horus_core::distance::{DistanceOptions, UnknownAs};
 use horus_core::prelude::Pose2D;
 use horus_host::lockstep::LockstepConfig;
 use horus_host::map_server::MapFile;
@@ -19,6 +21,7 @@ use super::out_dir::OutDir;
 use super::progress;
 use super::report;
 use super::verdict::Verdict;
+use distances::Distances;
 use facts::MapFacts;
 
 /// Turn a map_server file into costs and distances.
@@ -33,11 +36,25 @@ pub struct MapOptions {
     /// Directory for pictures and the log; without it the map is only read and counted
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Distances beyond this one are not told apart, in metres [default: any]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    max_distance: Option<f32>,
+    /// What unknown cells are to distances
+    #[arg(long, value_enum, default_value_t = Unknown::Clear)]
+    unknown: Unknown,
     /// Print one JSON object and nothing else
     #[arg(long)]
     json: bool,
     #[command(flatten)]
     costs: CostOptions,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Unknown {
+    /// No obstacles
+    Clear,
+    /// Obstacles
+    Obstacle,
 }
 
 #[derive(Debug, Subcommand)]
@@ -52,6 +69,7 @@ pub fn run(options: &MapOptions) -> anyhow::Result<Verdict> {
     }
     let path = options.map.as_deref().context("no map was given")?;
     options.costs.params().validate()?;
+    let distances = options.distances()?;
     let bar = progress::rows(0);
     let map = load(path, &bar)?;
     let config = LockstepConfig {
@@ -67,11 +85,31 @@ pub fn run(options: &MapOptions) -> anyhow::Result<Verdict> {
         let image = path.with_file_name("").join(&map.yaml.image);
         out.keep(&image, &layers::FILES)?;
         let origin = pose(map.yaml.origin);
-        facts.files = layers::write(&out, &config, origin, map, &bar)?;
+        facts.files = layers::write(&out, &config, origin, map, distances, &bar)?;
     }
     bar.finish_and_clear();
     report::print(&facts, &facts, options.json)?;
     Ok(Verdict::Whole)
+}
+
+impl MapOptions {
+    fn distances(&self) -> anyhow::Result<Distances> {
+        if let Some(metres) = self.max_distance
+            && !(metres > 0.0 && metres.is_finite())
+        {
+            bail!("the longest distance must be a length above zero, not {metres}");
+        }
+        Ok(Distances {
+            longest: self.max_distance,
+            options: DistanceOptions {
+                max_squared: None,
+                unknown: match self.unknown {
+                    Unknown::Clear => UnknownAs::Clear,
+                    Unknown::Obstacle => UnknownAs::Obstacle,
+                },
+            },
+        })
+    }
 }
 
 /// Reads a map while the bar shows its rows.
