@@ -14,8 +14,8 @@ pub struct GridPicture {
     pub frame_id: String,
     pub stamp_ns: u64,
     /// The colour that lets through what lies below.
-    pub transparent: Option<Rgb<u8>>,
-    colours: Vec<Rgb<u8>>,
+    pub transparent: Option<Rgb>,
+    colours: Vec<Rgb>,
     /// A number per cell, in the order of the values.
     order: Vec<i64>,
 }

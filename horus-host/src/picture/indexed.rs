@@ -1,7 +1,7 @@
 //! Pictures of large maps: one byte per pixel, written row by row.
 
 use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
@@ -20,7 +20,7 @@ use super::{PictureError, Rgb};
 pub fn indexed_png(
     path: &Path,
     (width, height): (u32, u32),
-    palette: impl Fn(u8) -> Rgb<u8>,
+    palette: impl Fn(u8) -> Rgb,
     mut row: impl FnMut(u32, &mut [u8]),
 ) -> Result<(), PictureError> {
     if width == 0 || height == 0 {
@@ -43,8 +43,8 @@ pub fn indexed_png(
         stream.finish()?;
         writer.finish()
     };
-    write().map_err(|error| PictureError::Write {
+    write().map_err(|source| PictureError::Write {
         path: path.to_path_buf(),
-        source: image::ImageError::IoError(io::Error::from(error)),
+        source,
     })
 }

@@ -1,15 +1,13 @@
 //! Pictures beside each other, and the bar that says how long a metre is.
 
-use image::{Rgb, RgbImage, imageops};
-
-use super::{Picture, PictureError};
+use super::{Picture, PictureError, Pixels, Rgb};
 
 /// Pixels between pictures, and around the bar.
 const GAP: u32 = 8;
 /// Height of the strip under a picture that the bar lies in.
 const STRIP: u32 = 24;
-const PAPER: Rgb<u8> = Rgb([255; 3]);
-const INK: Rgb<u8> = Rgb([0; 3]);
+const PAPER: Rgb = Rgb([255; 3]);
+const INK: Rgb = Rgb([0; 3]);
 
 /// Width and height of a glyph before it is enlarged.
 const GLYPH: (u32, u32) = (3, 5);
@@ -28,11 +26,11 @@ impl Picture {
         let widths = pictures.iter().map(|picture| picture.image().width());
         let width = widths.fold(0, |sum: u32, width| sum.saturating_add(width + GAP)) - GAP;
         let mut whole = Self::blank(width, height, 1)?;
-        whole.image_mut().pixels_mut().for_each(|pixel| *pixel = PAPER);
+        whole.image_mut().iter_mut().for_each(|pixel| *pixel = PAPER);
         let mut x = 0;
         for picture in pictures {
-            imageops::replace(whole.image_mut(), picture.image(), x, 0);
-            x += i64::from(picture.image().width() + GAP);
+            whole.image_mut().put(picture.image(), x, 0);
+            x += picture.image().width() + GAP;
         }
         Ok(whole)
     }
@@ -43,10 +41,10 @@ impl Picture {
     /// # Errors
     /// [`PictureError::BadScale`] if the result would exceed 2^28 pixels.
     pub fn with_scale_bar(self, metres_per_pixel: f64) -> Result<Self, PictureError> {
-        let (width, height) = self.image().dimensions();
+        let (width, height) = (self.image().width(), self.image().height());
         let mut whole = Self::blank(width, height.saturating_add(STRIP), 1)?;
-        whole.image_mut().pixels_mut().for_each(|pixel| *pixel = PAPER);
-        imageops::replace(whole.image_mut(), self.image(), 0, 0);
+        whole.image_mut().iter_mut().for_each(|pixel| *pixel = PAPER);
+        whole.image_mut().put(self.image(), 0, 0);
         let longest = f64::from(width.saturating_sub(2 * GAP)) / 3.0 * metres_per_pixel;
         if let Some((metres, text)) = bar_length(longest) {
             let pixels = (metres / metres_per_pixel).round() as u32;
@@ -78,16 +76,16 @@ fn bar_length(longest: f64) -> Option<(f64, String)> {
     best
 }
 
-fn fill(image: &mut RgbImage, x: u32, y: u32, width: u32, height: u32, colour: Rgb<u8>) {
+fn fill(image: &mut Pixels, x: u32, y: u32, width: u32, height: u32, colour: Rgb) {
     for y in y..y.saturating_add(height).min(image.height()) {
         for x in x..x.saturating_add(width).min(image.width()) {
-            image.put_pixel(x, y, colour);
+            image.set(x, y, colour);
         }
     }
 }
 
 /// Writes digits, points and `m`, as far as there is room.
-fn write(image: &mut RgbImage, mut x: u32, y: u32, text: &str) {
+fn write(image: &mut Pixels, mut x: u32, y: u32, text: &str) {
     for character in text.chars() {
         for (row, bits) in (0..).zip(glyph(character)) {
             for column in (0..GLYPH.0).filter(|column| bits >> (GLYPH.0 - 1 - column) & 1 == 1) {
@@ -137,8 +135,8 @@ mod tests {
         // 300 pixels of 0.02 m: at most 1.89 m, so 1 m, which is 50 pixels.
         let picture = square(100, 3).with_scale_bar(0.02).unwrap();
         let image = picture.image();
-        assert_eq!(image.dimensions(), (300, 324));
-        let row: Vec<u32> = (0..300).filter(|&x| *image.get_pixel(x, 312) == INK).collect();
+        assert_eq!((image.width(), image.height()), (300, 324));
+        let row: Vec<u32> = (0..300).filter(|&x| image.get(x, 312) == Some(INK)).collect();
         assert_eq!(row[..50], (8..58).collect::<Vec<_>>()[..]);
         assert!(row[50..].iter().all(|&x| x >= 66), "then the text");
         assert!(square(1, 1).with_scale_bar(1e-9).is_ok());
@@ -147,11 +145,11 @@ mod tests {
     #[test]
     fn pictures_stand_beside_each_other() {
         let whole = Picture::beside(&[square(2, 5), square(3, 5)]).unwrap();
-        assert_eq!(whole.image().dimensions(), (10 + 8 + 15, 15));
-        assert_eq!(*whole.image().get_pixel(9, 9), INK);
-        assert_eq!(*whole.image().get_pixel(9, 10), PAPER);
-        assert_eq!(*whole.image().get_pixel(12, 0), PAPER);
-        assert_eq!(*whole.image().get_pixel(32, 14), INK);
+        assert_eq!((whole.image().width(), whole.image().height()), (10 + 8 + 15, 15));
+        assert_eq!(whole.image().get(9, 9), Some(INK));
+        assert_eq!(whole.image().get(9, 10), Some(PAPER));
+        assert_eq!(whole.image().get(12, 0), Some(PAPER));
+        assert_eq!(whole.image().get(32, 14), Some(INK));
         assert!(Picture::beside(&[]).is_err());
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::{S, TestLog, code, json, refused, run, scan_at, scratch};
+use crate::support::{Painted, S, TestLog, code, json, refused, run, scan_at, scratch};
 
 #[test]
 fn one_changed_range_is_found_and_named() {
@@ -191,14 +191,14 @@ fn differences_become_a_log_and_a_picture() {
     ];
     assert_eq!(topics, expected);
     // Three pictures of 16 pixels per cell, 8 pixels apart, over a strip.
-    let painted = image::open(&picture).unwrap().to_rgb8();
-    assert_eq!(painted.dimensions(), (3 * 64 + 2 * 8, 48 + 24));
+    let painted = Painted::read(&picture);
+    assert_eq!(painted.size(), (3 * 64 + 2 * 8, 48 + 24));
     assert_eq!(
-        painted.get_pixel(2 * 72 + 16 + 8, 16 + 8).0,
+        painted.at(2 * 72 + 16 + 8, 16 + 8),
         [0x10, 0x30, 0xd0],
         "less in the first"
     );
-    assert_eq!(painted.get_pixel(2 * 72 + 8, 8).0, [0xc8; 3]);
+    assert_eq!(painted.at(2 * 72 + 8, 8), [0xc8; 3]);
     assert_eq!(fs::read_dir(&dir).unwrap().count(), 4, "nothing half-written");
 
     let a = &path("a.mcap");

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::{S, TestLog, code, json, refused, run, scan_at, scratch};
+use crate::support::{Painted, S, TestLog, code, json, refused, run, scan_at, scratch};
 
 /// A short demo; its directory.
 fn demo(test: &str) -> String {
@@ -75,12 +75,10 @@ fn frames_show_grid_robot_and_scale() {
         (&rendered["topic"], &rendered["messages"], &rendered["frames"]),
         (&"/costmap".into(), &10.into(), &3.into())
     );
-    let frame = image::open(format!("{out}/costmap_000008.png"))
-        .unwrap()
-        .to_rgba8();
-    assert_eq!(frame.dimensions(), (300, 224));
+    let frame = Painted::read(format!("{out}/costmap_000008.png"));
+    assert_eq!(frame.size(), (300, 224));
     let count =
-        |frame: &image::RgbaImage, colour: [u8; 4]| frame.pixels().filter(|pixel| pixel.0 == colour).count();
+        |frame: &Painted, colour: [u8; 4]| frame.pixels.iter().filter(|pixel| **pixel == colour).count();
     assert!(count(&frame, [255, 255, 255, 0]) > 1000, "cost 0 is transparent");
     assert!(count(&frame, [0, 0xa0, 0x40, 255]) > 100, "the robot");
     assert!(
@@ -95,26 +93,14 @@ fn frames_show_grid_robot_and_scale() {
     .concat();
     let rendered = json(&beside, 0);
     assert_eq!(rendered["frames"], 1);
-    let frame = image::open(format!("{out}/local_map_000005.png"))
-        .unwrap()
-        .to_rgba8();
-    assert_eq!(frame.dimensions(), (3 * 300 + 2 * 8, 224));
-    let difference: Vec<_> = frame
-        .enumerate_pixels()
-        .filter(|(x, y, _)| *x >= 616 && *y < 200)
-        .collect();
-    assert!(
-        difference
-            .iter()
-            .all(|(.., pixel)| pixel.0 == [0xc8, 0xc8, 0xc8, 255]),
-        "equal"
-    );
+    let frame = Painted::read(format!("{out}/local_map_000005.png"));
+    assert_eq!(frame.size(), (3 * 300 + 2 * 8, 224));
+    let equal = (616..916).all(|x| (0..200).all(|y| frame.at(x, y) == [0xc8; 3]));
+    assert!(equal, "the difference is grey all over");
     assert!(count(&frame, [0xe0, 0x40, 0, 255]) > 20, "ends of beams");
     let plain = [&beside[..], &["--no-overlay"]].concat();
     json(&plain, 0);
-    let frame = image::open(format!("{out}/local_map_000005.png"))
-        .unwrap()
-        .to_rgba8();
+    let frame = Painted::read(format!("{out}/local_map_000005.png"));
     assert_eq!(count(&frame, [0, 0xa0, 0x40, 255]), 0);
 
     // Before the first grid nothing is painted; distances and evidence come with other logs.

@@ -168,7 +168,7 @@ fn save(
     out: &OutDir,
     name: &str,
     picture: &Picture,
-    transparent: Option<horus_host::picture::Rgb<u8>>,
+    transparent: Option<horus_host::picture::Rgb>,
 ) -> anyhow::Result<PathBuf> {
     out.replace(name, |path| {
         Ok(match transparent {

@@ -6,8 +6,8 @@ use horus_host::tf::TfBuffer;
 use super::GridPicture;
 
 /// Colours of the robot and of the ends of beams, and the robot's radius in metres.
-const ROBOT: Rgb<u8> = Rgb([0, 0xa0, 0x40]);
-const BEAM: Rgb<u8> = Rgb([0xe0, 0x40, 0x00]);
+const ROBOT: Rgb = Rgb([0, 0xa0, 0x40]);
+const BEAM: Rgb = Rgb([0xe0, 0x40, 0x00]);
 const RADIUS: f64 = 0.15;
 
 /// Scan and robot at the time of a grid.
