@@ -15,8 +15,9 @@
 //! | [`prelude`] | the names a program needs to use the std version |
 //!
 //! [`mod@reference`], [`log`], [`tf`], [`sim`] and [`picture`] know nothing of each other and nothing
-//! of the core; [`lockstep`] uses [`mod@reference`], [`picture`] and `horus-core`; [`frames`] uses
-//! [`lockstep`] and `horus-core`; the command line `horus-host` uses all of them.
+//! of the core; [`map_server`] uses [`yaml`]; [`topic`] uses the core's grids; [`lockstep`] uses
+//! [`mod@reference`], [`picture`] and `horus-core`; [`frames`] uses [`lockstep`] and `horus-core`; the
+//! command line `horus-host` uses all of them.
 //!
 //! Frames and units everywhere: SI, REP 103 axes, REP 105 frames, REP 117 ranges, radians
 //! counter-clockwise; times are nanoseconds and end in `_ns`.
