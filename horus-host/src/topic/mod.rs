@@ -10,7 +10,7 @@
 //! core grid takes as its storage; sending it copies nothing, and every subscriber reads the same bytes.
 //!
 //! Who comes late gets the last message at the publisher's next `send`. Who is slow loses the oldest
-//! messages and never slows the publisher, unless the topic is [reliable](TopicOptions::reliable).
+//! messages and never slows the publisher, unless the topic is [reliable](TopicOptions::reliable()).
 //! What a killed process leaves behind is cleaned when the next one opens a topic. Opening a topic as
 //! another type or size is an error.
 //!

@@ -1,8 +1,9 @@
+use std::time::Duration;
+
 use horus_host::log::LogMessage;
 use horus_host::log::msg::{Costmap, Grid, LaserScan, Message, OccupancyGrid, TFMessage};
 use horus_host::topic::kind::Kind;
 use horus_host::topic::{Domain, SliceTopic, TopicError, TopicOptions, kind};
-use std::time::Duration;
 
 use super::{convert, options};
 use crate::cli::value_grid::{self, DISTANCE, EVIDENCE};
