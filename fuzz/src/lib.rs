@@ -10,6 +10,7 @@
 //! | [`memory`] | how much memory something takes |
 //! | [`grid`] | target `grid` |
 //! | [`costmap`] | targets `costmap_u8` and `costmap_u16` |
+//! | [`local`] | target `local` |
 //! | [`mcap_reader`] | target `mcap_reader` |
 //! | [`frames`] | target `frames` |
 
@@ -18,6 +19,7 @@ pub mod costmap;
 pub mod damage;
 pub mod frames;
 pub mod grid;
+pub mod local;
 pub mod mcap_reader;
 pub mod memory;
 pub mod number;

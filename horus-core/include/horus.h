@@ -1,10 +1,11 @@
 /*
- * Occupancy grids and incremental cost maps for microcontrollers.
+ * Occupancy grids, incremental cost maps, exact distances and rays for microcontrollers.
  *
  * SI units, REP 103 axes, REP 105 frames, REP 117 ranges; angles in radians, counter-clockwise.
  * Costs are bytes: 0 free .. 254 lethal, 255 unknown.
  *
- * Memory. Nothing is allocated. An object (horus_grid, horus_scan_workspace, horus_cost_map) lies
+ * Memory. Nothing is allocated. An object (horus_grid, horus_scan_workspace, horus_cost_map,
+ * horus_distance_map) lies
  * with all its buffers in one block of your memory, aligned to HORUS_ALIGN: horus_..._bytes() tells
  * how long, horus_..._init() makes it there, and its handle is the block's address. For static
  * memory there are macros:
@@ -74,6 +75,12 @@
         4 * HORUS_COST_MAP_BIT_WORDS(width, height) + \
         (size_t)(width) * (size_t)(height) * (1 + (size_t)(field_bytes) + ((keep_costs) ? 1 : 0)))
 
+/// At least horus_distance_map_bytes(), as a constant expression.
+#define HORUS_DISTANCE_MAP_BYTES(width, height, cell_bytes, is_signed) \
+    HORUS_ROUND_UP(HORUS_DISTANCE_MAP_FIXED_BYTES + \
+                   12 * (size_t)(width) * ((is_signed) ? 2 : 1) + \
+                   (size_t)(width) * (size_t)(height) * (size_t)(cell_bytes))
+
 
 /// Version of the binary interface: compare it with horus_abi_version() to see that header and
 /// library belong together.
@@ -104,22 +111,32 @@
 
 #if defined(HORUS_POINTERS_64)
 /// Bytes of a cost map with a one-byte field besides its cells.
-#define HORUS_COST_MAP_1_FIXED_BYTES 3584
+#define HORUS_COST_MAP_1_FIXED_BYTES 4032
 #endif
 
 #if defined(HORUS_POINTERS_32)
 /// Bytes of a cost map with a one-byte field besides its cells.
-#define HORUS_COST_MAP_1_FIXED_BYTES 2976
+#define HORUS_COST_MAP_1_FIXED_BYTES 3936
 #endif
 
 #if defined(HORUS_POINTERS_64)
 /// Bytes of a cost map with a two-byte field besides its cells.
-#define HORUS_COST_MAP_2_FIXED_BYTES 11008
+#define HORUS_COST_MAP_2_FIXED_BYTES 11976
 #endif
 
 #if defined(HORUS_POINTERS_32)
 /// Bytes of a cost map with a two-byte field besides its cells.
-#define HORUS_COST_MAP_2_FIXED_BYTES 9888
+#define HORUS_COST_MAP_2_FIXED_BYTES 9832
+#endif
+
+#if defined(HORUS_POINTERS_64)
+/// Bytes of a distance map besides its cells and columns.
+#define HORUS_DISTANCE_MAP_FIXED_BYTES 176
+#endif
+
+#if defined(HORUS_POINTERS_32)
+/// Bytes of a distance map besides its cells and columns.
+#define HORUS_DISTANCE_MAP_FIXED_BYTES 128
 #endif
 
 /// Whether a call did what it was asked to. Anything but HORUS_STATUS_OK: nothing has changed and
@@ -139,7 +156,7 @@ enum horus_status
     HORUS_STATUS_OVERLAP = 3,
     /// Not an object of this kind: never initialised, of another kind, moved, or overwritten.
     HORUS_STATUS_INVALID_HANDLE = 4,
-    /// A size or a length is beyond the address space.
+    /// A size or a length is beyond the address space, or a grid would have 2^32 - 1 cells or more.
     HORUS_STATUS_SIZE_OVERFLOW = 5,
     /// The memory or a buffer is too short; for an object, its `bytes` function tells the length.
     HORUS_STATUS_BUFFER_TOO_SMALL = 6,
@@ -229,9 +246,33 @@ typedef int32_t horus_scan_model_kind;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
+/// Which cells a ray between two cells visits.
+enum horus_walk_rule
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /// One per step along the longer side; exactly between two cells, the one nearer to the start.
+    HORUS_WALK_RULE_STANDARD = 0,
+    /// Every cell that the line between the two centres touches.
+    HORUS_WALK_RULE_SUPERCOVER = 1,
+    /// As standard, but exactly between two cells the one farther from the start.
+    HORUS_WALK_RULE_NAVGROUND = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum horus_walk_rule horus_walk_rule;
+#else
+typedef int32_t horus_walk_rule;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
 /// An occupancy grid with inflated costs that follow its every change. Costs are bytes: 0 free ..
 /// lethal_cost, 255 unknown. It lies in memory of its user.
 typedef struct horus_cost_map horus_cost_map;
+
+/// Exact distances from the cells of a grid to the nearest obstacle. It lies in memory of its user.
+typedef struct horus_distance_map horus_distance_map;
 
 /// A rolling grid of occupancy values: -1 unknown, 0 free .. 100 occupied, row by row from the
 /// lowest y. It lies in memory of its user.
@@ -421,6 +462,39 @@ typedef struct {
     /// Part of the polygon lies outside the map.
     bool leaves_map;
 } horus_footprint_cost;
+
+/// Room and layout of a distance map.
+typedef struct {
+    /// Columns that there is room for.
+    uint32_t width;
+    /// Rows that there is room for.
+    uint32_t height;
+    /// Bytes per cell, 2 or 4: squared distances up to 65535 or 4294967295, half of that if signed.
+    uint8_t cell_bytes;
+    /// Not 0: an obstacle holds minus the squared distance to the nearest cell that is none.
+    uint8_t is_signed;
+} horus_distance_map_config;
+
+/// How distances are computed.
+typedef struct {
+    /// The cap in squared cells: what is farther away, or does not exist, reads as the cap. More
+    /// than the map's cells hold: the most that they hold.
+    uint32_t max_squared;
+    /// Not 0: unknown cells are obstacles, too.
+    uint8_t unknown_is_obstacle;
+} horus_distance_options;
+
+/// A ray through a grid.
+typedef struct {
+    /// Where it starts, world frame.
+    horus_pose2d pose;
+    /// Its direction, radians counter-clockwise from the pose's heading.
+    float bearing;
+    /// How far it goes, metres.
+    float range;
+    /// A horus_walk_rule.
+    int32_t rule;
+} horus_ray;
 
 #ifdef __cplusplus
 extern "C" {
@@ -715,6 +789,99 @@ horus_status horus_cost_map_footprint_cost(const horus_cost_map *map,
                                            const horus_point *vertices,
                                            size_t count,
                                            horus_footprint_cost *under);
+
+/// Bytes of memory that such a distance map takes.
+///
+/// Fails with HORUS_STATUS_SIZE_OVERFLOW, HORUS_STATUS_INVALID_CHOICE.
+horus_status horus_distance_map_bytes(const horus_distance_map_config *config, size_t *bytes);
+
+/// Makes a distance map of nothing in `length` bytes of memory.
+///
+/// Fails as horus_distance_map_bytes() does, and with HORUS_STATUS_BUFFER_TOO_SMALL.
+horus_status horus_distance_map_init(void *memory,
+                                     size_t length,
+                                     const horus_distance_map_config *config,
+                                     horus_distance_map **map);
+
+/// Computes the distances of all cells of a grid or, unless `window` is NULL, of a window of it:
+/// obstacles outside the window count as well. The map needs room for the grid's columns, and for
+/// the window's cells with all columns within the cap left and right of them.
+///
+/// Fails with HORUS_STATUS_SIZE_OVERFLOW for a grid with a side above 32767 cells,
+/// HORUS_STATUS_BUFFER_TOO_SMALL, HORUS_STATUS_OUTSIDE.
+horus_status horus_distance_map_compute(horus_distance_map *map,
+                                        const horus_grid *grid,
+                                        const horus_cell_rect *window,
+                                        horus_distance_options options);
+
+/// Starts what horus_distance_map_compute() does: reads the grid, which may change afterwards, and
+/// leaves the rest to horus_distance_map_advance().
+///
+/// Fails as horus_distance_map_compute() does.
+horus_status horus_distance_map_begin(horus_distance_map *map,
+                                      const horus_grid *grid,
+                                      const horus_cell_rect *window,
+                                      horus_distance_options options);
+
+/// Goes on computing for so many rows; *left = rows left, 0: the distances can be read.
+horus_status horus_distance_map_advance(horus_distance_map *map, uint32_t rows, uint32_t *left);
+
+/// The cells whose distances are, or are being, computed.
+horus_status horus_distance_map_window(const horus_distance_map *map, horus_cell_rect *window);
+
+/// The squared distance of a cell of the grid, in cells.
+///
+/// Fails with HORUS_STATUS_OUTSIDE outside the window, and while a computation has not ended.
+horus_status horus_distance_map_squared(const horus_distance_map *map,
+                                        uint32_t gx,
+                                        uint32_t gy,
+                                        int64_t *squared);
+
+/// The distance of a cell of the grid in metres.
+///
+/// Fails with HORUS_STATUS_OUTSIDE outside the window, and while a computation has not ended.
+horus_status horus_distance_map_metres(const horus_distance_map *map,
+                                       uint32_t gx,
+                                       uint32_t gy,
+                                       float *metres);
+
+/// All squared distances of the window, row by row, in the type that the map was made with
+/// (uint16_t, int16_t, uint32_t, int32_t): *count cells at *data, to be read until the map is
+/// computed anew; none while a computation has not ended.
+horus_status horus_distance_map_data(const horus_distance_map *map,
+                                     const void **data,
+                                     size_t *count);
+
+/// The obstacle nearest to a cell, of several the one with the lowest index; `grid` is the one that
+/// the distances were computed of.
+///
+/// Fails with HORUS_STATUS_OUTSIDE outside the window, while a computation has not ended, and where
+/// no obstacle lies within the cap.
+horus_status horus_distance_map_nearest(const horus_distance_map *map,
+                                        const horus_grid *grid,
+                                        uint32_t gx,
+                                        uint32_t gy,
+                                        horus_cell *nearest);
+
+/// Metres to the first cell of a ray that is not free, the one it starts in included: centre to
+/// centre, at most the range. *hit tells whether there is one; if not, *metres is the range.
+///
+/// Nothing is hit outside the grid, by a ray of numbers that are not finite, and by one that ends
+/// more than 2^30 cells away. Fails with HORUS_STATUS_INVALID_CHOICE.
+horus_status horus_grid_cast(const horus_grid *grid,
+                             const horus_ray *ray,
+                             bool *hit,
+                             float *metres);
+
+/// The cells of a ray, from the one it starts in to the last one inside the grid: *count of them at
+/// `cells`. A grid of width * height cells has room for all in 2 * (width + height).
+///
+/// Fails with HORUS_STATUS_INVALID_CHOICE, HORUS_STATUS_BUFFER_TOO_SMALL.
+horus_status horus_grid_trace(const horus_grid *grid,
+                              const horus_ray *ray,
+                              horus_cell *cells,
+                              size_t capacity,
+                              size_t *count);
 
 #ifdef __cplusplus
 }  // extern "C"

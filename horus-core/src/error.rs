@@ -54,7 +54,27 @@ pub enum Error {
     InvalidPolygon,
     /// A window of cells that reaches out of its grid, or whose end lies before its start.
     WindowOutside,
+    /// A sensor's or map's name is longer than [`MAX_NAME`](crate::local::MAX_NAME) bytes.
+    NameTooLong {
+        /// Bytes of the name.
+        given: usize,
+    },
+    /// Two lidars of one map have the same name.
+    DuplicateName,
+    /// No footprint has this name: `rectangular`, `circular` or `none`.
+    UnknownFootprint,
+    /// No property has this name.
+    UnknownProperty,
+    /// A property was given a value of another type, or an integer outside its range.
+    PropertyType,
+    /// A named buffer holds elements of another type.
+    BufferType,
+    /// A cost map cannot follow a local map of another size, resolution or first corner.
+    GeometryMismatch,
 }
+
+/// Bytes that a sensor's or a map's name may have.
+pub(crate) const MAX_NAME: usize = 32;
 
 /// The buffer that was too short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,6 +100,16 @@ pub enum Buffer {
     Distances,
     /// Vertices of a distance map, one per column, two if signed.
     Vertices,
+    /// Slots of named buffers, one per name.
+    Slots,
+    /// `f32` elements of named buffers.
+    Floats,
+    /// `u8` elements of named buffers.
+    Bytes,
+    /// Elements reserved for one named buffer.
+    Named,
+    /// Scan workspaces, one per lidar.
+    Workspaces,
 }
 
 /// The parameter that was out of range.
@@ -96,6 +126,14 @@ pub enum Parameter {
     LethalThreshold,
     /// `inscribed_radius`: finite and >= 0 metres.
     InscribedRadius,
+    /// `radius` of a footprint: finite and >= 0 metres.
+    FootprintRadius,
+    /// `start_angle` of a lidar: finite, radians.
+    StartAngle,
+    /// `fov` of a lidar: finite, radians.
+    FieldOfView,
+    /// `max_range` of a lidar: finite and >= 0 metres.
+    MaxRange,
 }
 
 impl Parameter {
@@ -107,6 +145,10 @@ impl Parameter {
             Self::LethalCost => "lethal_cost must be 2 to 254",
             Self::LethalThreshold => "lethal_threshold must be 1 to 100",
             Self::InscribedRadius => "inscribed_radius must be finite and not negative",
+            Self::FootprintRadius => "radius must be finite and not negative",
+            Self::StartAngle => "start_angle must be finite",
+            Self::FieldOfView => "fov must be finite",
+            Self::MaxRange => "max_range must be finite and not negative",
         }
     }
 }
@@ -146,6 +188,17 @@ impl fmt::Display for Error {
             }
             Self::InvalidPolygon => f.write_str("a polygon needs three or more finite vertices"),
             Self::WindowOutside => f.write_str("a window of cells does not lie in its grid"),
+            Self::NameTooLong { given } => {
+                write!(f, "a name of {given} bytes is longer than {MAX_NAME}")
+            }
+            Self::DuplicateName => f.write_str("two lidars have the same name"),
+            Self::UnknownFootprint => f.write_str("a footprint is rectangular, circular or none"),
+            Self::UnknownProperty => f.write_str("no property has this name"),
+            Self::PropertyType => f.write_str("a property's value has the wrong type or range"),
+            Self::BufferType => f.write_str("a named buffer holds elements of another type"),
+            Self::GeometryMismatch => {
+                f.write_str("the maps differ in size, resolution or the place of their first corner")
+            }
         }
     }
 }

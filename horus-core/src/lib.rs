@@ -9,7 +9,7 @@
 //! # Layers
 //! Each uses only what stands left of it:
 //! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`raycast`] < [`distance`] <
-//! [`costmap`] < [`frames`] < `c_abi`
+//! [`costmap`] < [`local`] < [`frames`] < `c_abi`
 //! (the library from C; feature `c-abi`).
 //!
 //! # Frames and units
@@ -28,6 +28,7 @@ pub mod error;
 pub mod frames;
 pub mod geometry;
 pub mod grid;
+pub mod local;
 mod math;
 pub mod prelude;
 pub mod raycast;

@@ -16,6 +16,12 @@ pub(crate) fn rint(x: f32) -> f32 {
     libm::rintf(x)
 }
 
+/// Nearest integer-valued float, ties away from zero.
+#[inline(never)]
+pub(crate) fn round(x: f32) -> f32 {
+    libm::roundf(x)
+}
+
 /// Square root.
 #[inline(never)]
 pub(crate) fn sqrt(x: f32) -> f32 {

@@ -9,3 +9,6 @@ pub use crate::grid::{
     BeamSlot, LaserScan, OccupancyGrid, ScanBuffers, ScanModel, ScanReport, ScanWorkspace,
     StaticOccupancyGrid,
 };
+pub use crate::local::{
+    Footprint, Lidar, LocalGridMap, LocalGridMapConfig, LocalUpdate, Odometry, SensingBuffers, SensingState,
+};

@@ -6,6 +6,7 @@
 //! | [`frames`] | the frames that firmware streams, read back tick by tick |
 //! | [`lockstep`] | core and std version side by side on the same scans, every cell compared |
 //! | [`log`] | MCAP logs that ROS 2 tools read: writing, bounded reading, comparing |
+//! | [`navground`] | configuration files of local maps |
 //! | [`tf`] | the transforms of a log, interpolated at any recorded time |
 //! | [`sim`] | a made-up building with a robot and a lidar: input that needs no files |
 //! | [`picture`] | PNG pictures and small character windows of grids |
@@ -15,9 +16,9 @@
 //! | [`prelude`] | the names a program needs to use the std version |
 //!
 //! [`mod@reference`], [`log`], [`tf`], [`sim`] and [`picture`] know nothing of each other and nothing
-//! of the core; [`map_server`] uses [`yaml`]; [`topic`] uses the core's grids; [`lockstep`] uses
-//! [`mod@reference`], [`picture`] and `horus-core`; [`frames`] uses [`lockstep`] and `horus-core`; the
-//! command line `horus-host` uses all of them.
+//! of the core; [`map_server`] uses [`yaml`]; [`topic`] and [`navground`] use `horus-core`;
+//! [`lockstep`] uses [`mod@reference`], [`picture`] and `horus-core`; [`frames`] uses [`lockstep`] and
+//! `horus-core`; the command line `horus-host` uses all of them.
 //!
 //! Frames and units everywhere: SI, REP 103 axes, REP 105 frames, REP 117 ranges, radians
 //! counter-clockwise; times are nanoseconds and end in `_ns`.
@@ -27,6 +28,7 @@ mod grid_traits;
 pub mod lockstep;
 pub mod log;
 pub mod map_server;
+pub mod navground;
 pub mod picture;
 pub mod prelude;
 pub mod reference;

@@ -12,6 +12,8 @@ mod horus_cells;
 mod horus_costs;
 #[path = "golden/horus_points.rs"]
 mod horus_points;
+#[path = "golden/local_map.rs"]
+mod local_map;
 #[path = "golden/maps.rs"]
 mod maps;
 #[path = "golden/nav2.rs"]

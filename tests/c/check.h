@@ -1,4 +1,4 @@
-/* What both parts of the program share. */
+/* What the parts of the program share. */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -31,5 +31,11 @@
 
 /* Every wrong input has its status, and the macros for static memory give enough. */
 void refusals(void);
+
+/* Distances and rays, their wrong input included. */
+void distances_and_rays(void);
+
+/* The drives of tests/src/c_local.rs: prints the same lines. */
+void local_drives(void);
 
 #endif

@@ -1,9 +1,9 @@
 /* The drive of tests/src/c_drive.rs through the C interface: prints the same lines, on the host and
  * on a Cortex-M4F. All input comes from integers and single multiplications. */
 #include <math.h>
-#include <string.h>
 
 #include "check.h"
+#include "hash.h"
 
 enum { WIDTH = 120, HEIGHT = 80, CELLS = WIDTH * HEIGHT, BEAMS = 120, TICKS = 32 };
 
@@ -20,27 +20,6 @@ typedef struct {
     int32_t budget; /* above the smallest; -1: unlimited */
 } scenario;
 
-/* FNV-1a, 32 bits. */
-static const uint32_t HASH = 0x811c9dc5u;
-
-static void hash_byte(uint32_t *hash, uint8_t byte)
-{
-    *hash = (*hash ^ byte) * 0x01000193u;
-}
-
-static void hash_word(uint32_t *hash, uint32_t word)
-{
-    for (int i = 0; i < 4; i++)
-        hash_byte(hash, (uint8_t)(word >> (8 * i)));
-}
-
-static void hash_float(uint32_t *hash, float value)
-{
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    hash_word(hash, bits);
-}
-
 static void hash_rect(uint32_t *hash, horus_cell_rect rect)
 {
     hash_word(hash, rect.x0);
@@ -52,14 +31,6 @@ static void hash_rect(uint32_t *hash, horus_cell_rect rect)
 static float metres(int32_t mm)
 {
     return (float)mm * 0.001f;
-}
-
-static uint32_t next(uint32_t *noise)
-{
-    *noise ^= *noise << 13;
-    *noise ^= *noise >> 17;
-    *noise ^= *noise << 5;
-    return *noise >> 8;
 }
 
 static horus_pose2d pose_at(int32_t tick)
@@ -272,5 +243,7 @@ int main(void)
     drive(&direct, lidar);
     drive(&budgeted, lidar);
     drive(&far, lidar);
+    distances_and_rays();
+    local_drives();
     return 0;
 }

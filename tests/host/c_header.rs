@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 /// What the header describes, in its order.
-const SOURCES: [&str; 14] = [
+const SOURCES: [&str; 21] = [
     "c_abi/version.rs",
     "c_abi/sizes.rs",
     "c_abi/status.rs",
@@ -22,6 +22,13 @@ const SOURCES: [&str; 14] = [
     "c_abi/cost_map/writes.rs",
     "c_abi/cost_map/update.rs",
     "c_abi/cost_map/reads.rs",
+    "c_abi/distance/map.rs",
+    "c_abi/distance/reads.rs",
+    "c_abi/distance/rays.rs",
+    "c_abi/local_map/map.rs",
+    "c_abi/local_map/writes.rs",
+    "c_abi/local_map/update.rs",
+    "c_abi/local_map/reads.rs",
 ];
 
 fn core() -> PathBuf {

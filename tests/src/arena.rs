@@ -1,4 +1,6 @@
 use horus_core::costmap::{CostMapBuffers, FieldCell};
+use horus_core::distance::{DistanceCell, DistanceMapBuffers};
+use horus_core::local::SensingBuffers;
 
 /// Memory in which one object after another is made, so that programs for 128 KiB of RAM can have
 /// several large ones.
@@ -15,6 +17,16 @@ pub unsafe trait ZeroBits {}
 // SAFETY: integers, and tables whose documented empty value is all bits zero.
 unsafe impl<const N: usize, const WORDS: usize, F: FieldCell, const SCRATCH: usize> ZeroBits
     for CostMapBuffers<N, WORDS, F, SCRATCH>
+{
+}
+// SAFETY: integers.
+unsafe impl<D: DistanceCell, const N: usize, const VERTICES: usize> ZeroBits
+    for DistanceMapBuffers<D, N, VERTICES>
+{
+}
+// SAFETY: numbers, and an enum whose first value is zero.
+unsafe impl<const SLOTS: usize, const FLOATS: usize, const BYTES: usize> ZeroBits
+    for SensingBuffers<SLOTS, FLOATS, BYTES>
 {
 }
 // SAFETY: bytes.

@@ -4,10 +4,12 @@ use core::ptr::NonNull;
 use core::slice;
 
 use crate::grid::BeamSlot;
+use crate::local::BufferSlot;
 
 use super::sizes::HORUS_ALIGN;
 use super::status::horus_status;
 use crate::costmap::{CostTables, FieldCell};
+use crate::distance::EnvelopeVertex;
 
 /// A type of which all bits zero is a value.
 ///
@@ -23,8 +25,18 @@ unsafe impl Zeroed for i8 {}
 unsafe impl Zeroed for u16 {}
 // SAFETY: a number.
 unsafe impl Zeroed for u32 {}
+// SAFETY: a number.
+unsafe impl Zeroed for i16 {}
+// SAFETY: a number.
+unsafe impl Zeroed for i32 {}
+// SAFETY: numbers; `EMPTY` is all bits zero.
+unsafe impl Zeroed for EnvelopeVertex {}
 // SAFETY: numbers; `EMPTY` is all bits zero.
 unsafe impl Zeroed for BeamSlot {}
+// SAFETY: a number.
+unsafe impl Zeroed for f32 {}
+// SAFETY: numbers, and an enum whose first value is zero.
+unsafe impl Zeroed for BufferSlot {}
 // SAFETY: numbers and flags, arrays of them; `EMPTY` is all bits zero.
 unsafe impl<F: FieldCell> Zeroed for CostTables<F> {}
 

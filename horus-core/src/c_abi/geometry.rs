@@ -50,6 +50,8 @@ impl From<[i32; 2]> for horus_shift {
 
 // SAFETY: three numbers.
 unsafe impl Plain for Pose2D {}
+// SAFETY: four numbers.
+unsafe impl Plain for CellRect {}
 
 /// A rectangle for C, where an empty one stands for none.
 pub(super) fn rect_or_empty(rect: Option<CellRect>) -> CellRect {

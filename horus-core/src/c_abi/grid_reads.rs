@@ -10,7 +10,7 @@ use super::status::{horus_status, inside};
 use super::text;
 
 /// A grid to be read: one of its own, or the one inside a cost map.
-fn view<'c>(claims: &mut Claims<'c>, grid: *const horus_grid) -> Result<&'c Grid, horus_status> {
+pub(super) fn view<'c>(claims: &mut Claims<'c>, grid: *const horus_grid) -> Result<&'c Grid, horus_status> {
     match claims.object::<Grid>(grid) {
         Err(horus_status::InvalidHandle) => Ok(claims.object::<AnyCostMap>(grid.cast())?.grid()),
         own => own,

@@ -1,4 +1,5 @@
-//! The library from C: grid, rolling window, scans and cost map behind `include/horus.h`.
+//! The library from C: grid, rolling window, scans, cost map, distances, rays and local map behind
+//! `include/horus.h`.
 //!
 //! The functions carry C's names and do what their Rust namesakes do; their documentation is the
 //! header's. All memory is the caller's: an object lies, with all its buffers behind it, in one
@@ -28,9 +29,11 @@
 mod arena;
 mod call;
 mod cost_map;
+mod distance;
 mod geometry;
 mod grid;
 mod grid_reads;
+mod local_map;
 mod object;
 #[cfg(all(feature = "panic-handler", target_os = "none"))]
 mod panic;
@@ -44,9 +47,11 @@ mod version;
 mod tests;
 
 pub use cost_map::*;
+pub use distance::*;
 pub use geometry::*;
 pub use grid::*;
 pub use grid_reads::*;
+pub use local_map::*;
 pub use scan::*;
 pub use sizes::*;
 pub use status::*;

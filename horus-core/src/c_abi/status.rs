@@ -17,7 +17,7 @@ pub enum horus_status {
     Overlap = 3,
     /// Not an object of this kind: never initialised, of another kind, moved, or overwritten.
     InvalidHandle = 4,
-    /// A size or a length is beyond the address space.
+    /// A size or a length is beyond the address space, or a grid would have 2^32 - 1 cells or more.
     SizeOverflow = 5,
     /// The memory or a buffer is too short; for an object, its `bytes` function tells the length.
     BufferTooSmall = 6,
@@ -59,12 +59,24 @@ pub enum horus_status {
     BudgetTooSmall = 24,
     /// A polygon needs three or more finite vertices within 2^30 cells.
     InvalidPolygon = 25,
+    /// A name is longer than 32 bytes.
+    NameTooLong = 26,
+    /// Two lidars of a local map have the same name.
+    DuplicateName = 27,
+    /// A footprint's radius must be finite and not negative.
+    InvalidFootprintRadius = 28,
+    /// A lidar's angles must be finite, its longest range finite and not negative.
+    InvalidLidar = 29,
+    /// A cost map cannot follow a local map of another size, resolution or first corner.
+    GeometryMismatch = 30,
+    /// Nothing of this name was written, or something else.
+    NotFound = 31,
 }
 
 use horus_status as Status;
 
 /// Every status at the place of its number.
-const ALL: [Status; 26] = [
+const ALL: [Status; 32] = [
     Status::Ok,
     Status::NullPointer,
     Status::Misaligned,
@@ -91,6 +103,12 @@ const ALL: [Status; 26] = [
     Status::RadiusTooLarge,
     Status::BudgetTooSmall,
     Status::InvalidPolygon,
+    Status::NameTooLong,
+    Status::DuplicateName,
+    Status::InvalidFootprintRadius,
+    Status::InvalidLidar,
+    Status::GeometryMismatch,
+    Status::NotFound,
 ];
 
 const _: () = {
@@ -133,6 +151,16 @@ impl horus_status {
             Self::RadiusTooLarge => c"costs reach farther than the field can hold",
             Self::BudgetTooSmall => c"the budget is below the smallest",
             Self::InvalidPolygon => c"a polygon needs three or more finite vertices",
+            Self::NameTooLong => c"a name is longer than 32 bytes",
+            Self::DuplicateName => c"two lidars have the same name",
+            Self::InvalidFootprintRadius => c"a footprint's radius must be finite and not negative",
+            Self::InvalidLidar => {
+                c"a lidar's angles must be finite, its longest range finite and not negative"
+            }
+            Self::GeometryMismatch => {
+                c"the maps differ in size, resolution or the place of their first corner"
+            }
+            Self::NotFound => c"nothing of this name was written, or something else",
         }
     }
 }
@@ -144,7 +172,7 @@ impl From<Error> for horus_status {
             Error::NonFinitePose => Self::NonFinitePose,
             Error::SizeOverflow => Self::SizeOverflow,
             Error::BufferTooSmall {
-                buffer: Buffer::Beams | Buffer::Seen,
+                buffer: Buffer::Beams | Buffer::Seen | Buffer::Workspaces,
                 ..
             } => Self::WorkspaceTooSmall,
             Error::BufferTooSmall { .. } => Self::BufferTooSmall,
@@ -158,11 +186,18 @@ impl From<Error> for horus_status {
                 Parameter::LethalCost => Self::InvalidLethalCost,
                 Parameter::LethalThreshold => Self::InvalidLethalThreshold,
                 Parameter::InscribedRadius => Self::InvalidInscribedRadius,
+                Parameter::FootprintRadius => Self::InvalidFootprintRadius,
+                Parameter::StartAngle | Parameter::FieldOfView | Parameter::MaxRange => Self::InvalidLidar,
             },
             Error::RadiusTooLarge { .. } => Self::RadiusTooLarge,
             Error::BudgetTooSmall { .. } => Self::BudgetTooSmall,
             Error::InvalidPolygon => Self::InvalidPolygon,
             Error::WindowOutside => Self::Outside,
+            Error::NameTooLong { .. } => Self::NameTooLong,
+            Error::DuplicateName => Self::DuplicateName,
+            Error::UnknownFootprint | Error::UnknownProperty | Error::PropertyType => Self::InvalidChoice,
+            Error::BufferType => Self::NotFound,
+            Error::GeometryMismatch => Self::GeometryMismatch,
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use core::fmt::Debug;
 
+use super::kernel::PREFER_LANES;
+use super::kernel::stamp::{COLUMNS, LANES};
 use super::words;
 
 /// Largest squared distance that the near kernel tables hold: offsets up to 15 cells.
@@ -23,6 +25,11 @@ pub trait FieldCell: Copy + Debug + Eq + Ord + sealed::Sealed + 'static {
     /// Inflated costs by field value; all-zero at first.
     #[doc(hidden)]
     type Costs: InflatedCosts + 'static;
+    /// Rows of a disc, for radii up to 15 cells where they are of use.
+    #[doc(hidden)]
+    type Windows: AsRef<[[Self; COLUMNS]]> + AsMut<[[Self; COLUMNS]]> + Copy + Debug + 'static;
+    #[doc(hidden)]
+    const NO_WINDOWS: Self::Windows;
     /// Largest offset, in cells, with a cost above zero.
     const MAX_RADIUS: u32;
     /// A source.
@@ -34,9 +41,6 @@ pub trait FieldCell: Copy + Debug + Eq + Ord + sealed::Sealed + 'static {
     /// Must be recomputed before anyone reads it.
     #[doc(hidden)]
     const STALE: Self;
-    /// Squared distances below this can be compared in fewer steps.
-    #[doc(hidden)]
-    const NARROW: u32 = 0;
     /// Saturates to [`NONE`](Self::NONE).
     #[doc(hidden)]
     fn new(squared: u32) -> Self;
@@ -54,31 +58,32 @@ pub trait FieldCell: Copy + Debug + Eq + Ord + sealed::Sealed + 'static {
     #[doc(hidden)]
     fn squares_from(from: i32) -> &'static [Self];
 
-    /// Lowers each cell of two rows (of one length, or one empty) to its column's square plus
-    /// `across`. `WIDE` unless all sums are below [`NARROW`](Self::NARROW).
+    /// True if discs that reach this far, 11 cells at most, can be stamped in fewer steps.
     #[doc(hidden)]
-    #[inline(always)]
-    fn lower<const WIDE: bool>(rows: [&mut [Self]; 2], squares: &[Self], across: u32) {
-        let across = Self::new(across);
-        for row in rows {
-            for (cell, square) in row.iter_mut().zip(squares) {
-                *cell = (*cell).min(square.wrapping_add(across));
-            }
-        }
+    fn is_narrow(_reach: u32) -> bool {
+        false
     }
 
-    /// Marks each cell stale that equals its column's square plus `across`.
+    /// What [`lower`](Self::lower) and [`mark_stale`](Self::mark_stale) take for a column that is
+    /// to stay as it is, in a disc that reaches this far.
+    #[doc(hidden)]
+    fn beyond(_reach: u32) -> Self {
+        Self::NONE
+    }
+
+    /// Lowers each cell to its column's square; `N` is 24 if the disc
+    /// [`is_narrow`](Self::is_narrow), else 32.
     #[doc(hidden)]
     #[inline(always)]
-    fn mark_stale(rows: [&mut [Self]; 2], squares: &[Self], across: u32) {
-        let across = Self::new(across);
-        for row in rows {
-            for (cell, square) in row.iter_mut().zip(squares) {
-                if *cell == square.wrapping_add(across) {
-                    *cell = Self::STALE;
-                }
-            }
-        }
+    fn lower<const N: usize>(row: &mut [Self; N], squares: &[Self; N]) {
+        lower_each(row, squares);
+    }
+
+    /// Marks each cell stale that equals its column's square.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mark_stale(row: &mut [Self; LANES], squares: &[Self; LANES]) {
+        mark_each(row, squares);
     }
 
     /// The stale cells of up to 32, a bit each.
@@ -90,13 +95,29 @@ pub trait FieldCell: Copy + Debug + Eq + Ord + sealed::Sealed + 'static {
     }
 }
 
+#[inline(always)]
+fn lower_each<F: FieldCell>(row: &mut [F], squares: &[F]) {
+    for (cell, square) in row.iter_mut().zip(squares) {
+        *cell = (*cell).min(*square);
+    }
+}
+
+#[inline(always)]
+fn mark_each<F: FieldCell>(row: &mut [F], squares: &[F]) {
+    for (cell, square) in row.iter_mut().zip(squares) {
+        let is_stale = (*cell == *square) & (*square != F::NONE);
+        *cell = if is_stale { F::STALE } else { *cell };
+    }
+}
+
 impl FieldCell for u8 {
     type Costs = NearCosts;
+    type Windows = [[Self; COLUMNS]; 16];
+    const NO_WINDOWS: Self::Windows = [[0; COLUMNS]; 16];
     const MAX_RADIUS: u32 = 15;
     const ZERO: Self = 0;
     const NONE: Self = 255;
     const STALE: Self = 254;
-    const NARROW: u32 = 128;
 
     #[inline]
     fn new(squared: u32) -> Self {
@@ -139,14 +160,34 @@ impl FieldCell for u8 {
         TABLE.get((CENTRE as i32 + from) as usize..).unwrap_or_default()
     }
 
-    #[inline(always)]
-    fn lower<const WIDE: bool>(rows: [&mut [Self]; 2], squares: &[Self], across: u32) {
-        words::lower::<WIDE>(rows, squares, across as u8);
+    fn is_narrow(reach: u32) -> bool {
+        !PREFER_LANES && reach < words::NO_SQUARE.into()
+    }
+
+    fn beyond(reach: u32) -> Self {
+        if Self::is_narrow(reach) {
+            words::NO_SQUARE
+        } else {
+            Self::NONE
+        }
     }
 
     #[inline(always)]
-    fn mark_stale(rows: [&mut [Self]; 2], squares: &[Self], across: u32) {
-        words::mark(rows, squares, across as u8, Self::STALE);
+    fn lower<const N: usize>(row: &mut [Self; N], squares: &[Self; N]) {
+        if PREFER_LANES {
+            lower_each(row, squares);
+        } else {
+            words::lower(row, squares);
+        }
+    }
+
+    #[inline(always)]
+    fn mark_stale(row: &mut [Self; LANES], squares: &[Self; LANES]) {
+        if PREFER_LANES {
+            mark_each(row, squares);
+        } else {
+            words::mark(row, squares, Self::STALE);
+        }
     }
 
     #[inline]
@@ -157,6 +198,8 @@ impl FieldCell for u8 {
 
 impl FieldCell for u16 {
     type Costs = FarCosts;
+    type Windows = [[Self; COLUMNS]; if PREFER_LANES { 16 } else { 0 }];
+    const NO_WINDOWS: Self::Windows = [[0; COLUMNS]; if PREFER_LANES { 16 } else { 0 }];
     const MAX_RADIUS: u32 = 255;
     const ZERO: Self = 0;
     const NONE: Self = 65535;

@@ -51,6 +51,13 @@ pub(crate) struct Cursors {
     pub costs: usize,
 }
 
+/// What the field is computed from, and where.
+pub(super) struct Parts<'b, F> {
+    pub sources: Bitmap<'b>,
+    pub field: &'b mut [F],
+    pub scratch: &'b mut [u32],
+}
+
 impl Cursors {
     /// Nothing has changed: every pass starts at the first word to come.
     pub(super) const END: Self = Self {
@@ -133,7 +140,6 @@ impl<'a, F: FieldCell> Layer<'a, F> {
     }
 
     /// A cell of the grid has a new value.
-    #[inline]
     pub(crate) fn mark(&mut self, gx: u32, gy: u32) {
         let word = self.changes.mark(gx, gy);
         self.cursors.back_to(word);
@@ -148,7 +154,7 @@ impl<'a, F: FieldCell> Layer<'a, F> {
         self.compute_field();
         if let Some(costs) = &mut self.costs {
             for ((cost, value), field) in costs.iter_mut().zip(values).zip(self.field.iter()) {
-                *cost = self.tables.cost(value.byte(), *field);
+                self.tables.refresh(cost, *value, *field);
             }
         }
     }
@@ -186,7 +192,30 @@ impl<'a, F: FieldCell> Layer<'a, F> {
         values: &[V],
         changed: &mut Bounds,
     ) {
-        let mut refresh = Refresh {
+        let (parts, mut refresh) = self.refresh(values, changed);
+        let tables = refresh.tables;
+        let repair = Repair {
+            sources: parts.sources,
+            field: parts.field,
+            rect,
+            scope,
+            refresh: &mut refresh,
+        };
+        with_kernel(&tables.disc, parts.scratch, repair);
+    }
+
+    /// What writing the field takes, and what must be told of it.
+    pub(super) fn refresh<'b, V>(
+        &'b mut self,
+        values: &'b [V],
+        changed: &'b mut Bounds,
+    ) -> (Parts<'b, F>, Refresh<'b, V, F>) {
+        let parts = Parts {
+            sources: Bitmap::new(self.sources, self.width, self.height),
+            field: self.field,
+            scratch: self.scratch,
+        };
+        let refresh = Refresh {
             values,
             tables: self.tables,
             costs: self.costs.as_deref_mut(),
@@ -194,14 +223,7 @@ impl<'a, F: FieldCell> Layer<'a, F> {
             changed,
             width: self.width,
         };
-        let repair = Repair {
-            sources: Bitmap::new(self.sources, self.width, self.height),
-            field: self.field,
-            rect,
-            scope,
-            refresh: &mut refresh,
-        };
-        with_kernel(&self.tables.disc, self.scratch, repair);
+        (parts, refresh)
     }
 
     /// The cost of a cell from its present value and the field.

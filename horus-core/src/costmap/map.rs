@@ -20,7 +20,7 @@ use crate::grid::{ChangeSink, LaserScan, OccupancyGrid, ScanModel, ScanReport, S
 /// bytes ([`costs`](Self::costs)) show the last update.
 ///
 /// RAM, occupancy included: 2.25 bytes per cell (`u8`) or 3.25 (`u16`), one more with kept bytes,
-/// plus O(width + height) and at most 3 KiB (`u8`) or 10 KiB (`u16`).
+/// plus O(width + height) and at most 4 KiB (`u8`) or 10 KiB (`u16`).
 ///
 /// Source: HORUS `CostMap`; nav2's inflation layer for [`Decay::Exponential`](super::Decay).
 ///
@@ -231,6 +231,12 @@ impl<'a, F: FieldCell> CostMap<'a, F> {
         Ok(shift)
     }
 
+    /// Moves the window as [`recenter`](Self::recenter) does, to an offset within 2^30 cells.
+    pub(crate) fn move_to(&mut self, offset: [i32; 2]) {
+        let shift = self.grid.move_to(offset);
+        self.layer.shift(shift, UNKNOWN.byte());
+    }
+
     /// Replaces all cells, row-major, each clamped to -1..=100, and recomputes everything.
     ///
     /// # Errors
@@ -248,7 +254,6 @@ impl<'a, F: FieldCell> CostMap<'a, F> {
     }
 
     /// The cost of a cell; outside the map: `None`.
-    #[inline]
     pub fn cost_at(&self, gx: u32, gy: u32) -> Option<u8> {
         let i = self.grid.info().index(gx, gy)?;
         self.layer.cost(i, self.grid.data().get(i)?.byte())
@@ -309,7 +314,6 @@ struct Marks<'m, 'a, F: FieldCell> {
 }
 
 impl<F: FieldCell> ChangeSink for Marks<'_, '_, F> {
-    #[inline]
     fn changed(&mut self, gx: u32, gy: u32) {
         self.changed.add(gx, gy);
         self.layer.mark(gx, gy);

@@ -25,13 +25,12 @@ impl<V: CellValue, F: FieldCell> Refresh<'_, V, F> {
             return;
         }
         for gy in rect.y0..rect.y1 {
-            for x0 in (rect.x0..rect.x1).step_by(32) {
-                let x1 = rect.x1.min(x0 + 32);
-                let start = gy as usize * self.width as usize;
-                let row = field
-                    .get(start + x0 as usize..start + x1 as usize)
-                    .unwrap_or_default();
-                self.cells(row, x0, gy, low_bits(x1 - x0));
+            let start = gy as usize * self.width as usize;
+            let row = field.get(start + rect.x0 as usize..start + rect.x1 as usize);
+            let mut x0 = rect.x0;
+            for cells in row.unwrap_or_default().chunks(32) {
+                self.cells(cells, x0, gy, low_bits(cells.len() as u32));
+                x0 += 32;
             }
         }
     }
@@ -55,12 +54,12 @@ impl<V: CellValue, F: FieldCell> Refresh<'_, V, F> {
         let (Some(costs), Some(values)) = (costs.get_mut(cells.clone()), self.values.get(cells)) else {
             return;
         };
-        let mut changed = 0;
-        for (lane, ((cost, value), field)) in costs.iter_mut().zip(values).zip(field).enumerate() {
-            if mask >> lane & 1 == 1 {
-                let new = self.tables.cost(value.byte(), *field);
-                changed |= u32::from(core::mem::replace(cost, new) != new) << lane;
+        let (mut changed, mut bit) = (0, 1);
+        for ((cost, value), field) in costs.iter_mut().zip(values).zip(field) {
+            if mask & bit != 0 && self.tables.refresh(cost, *value, *field) {
+                changed |= bit;
             }
+            bit <<= 1;
         }
         if changed != 0 {
             let (low, high) = (changed.trailing_zeros(), 32 - changed.leading_zeros());

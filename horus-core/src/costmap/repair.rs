@@ -36,7 +36,7 @@ impl Scope {
             let away = (from_edge + 1).saturating_sub(edge.lost);
             F::new(away.saturating_mul(away))
         };
-        let mut lanes = [F::NONE; 32];
+        let mut lanes = [F::ZERO; 32];
         for (gx, lane) in (x0..width).zip(&mut lanes) {
             *lane = from(match side {
                 Side::Left => gx,

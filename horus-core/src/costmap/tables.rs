@@ -7,7 +7,7 @@ use super::{CellValue, CostParams};
 use crate::error::Error;
 
 /// Room for what follows from the parameters and the resolution; a cost map fills it once, so that
-/// updates are integers only. 0.7 KiB for a one-byte field, 1.5 KiB for a two-byte one, on a
+/// updates are integers only. 1.6 KiB for a one-byte field, 1.3 KiB for a two-byte one, on a
 /// 32-bit target.
 #[derive(Clone, Copy, Debug)]
 pub struct CostTables<F: FieldCell> {
@@ -122,6 +122,12 @@ impl<F: FieldCell> CostTables<F> {
             bits |= u32::from(self.is_source(value.byte())) << (4 * words.len() + i);
         }
         bits
+    }
+
+    /// Writes the cost of a cell; true if it was another.
+    pub(crate) fn refresh<V: CellValue>(&self, cost: &mut u8, value: V, field: F) -> bool {
+        let new = self.cost(value.byte(), field);
+        core::mem::replace(cost, new) != new
     }
 
     /// The cost of a cell from its value and its field.

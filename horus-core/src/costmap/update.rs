@@ -7,8 +7,7 @@ use super::changes::{Changes, Next};
 use super::edges::Side;
 use super::field::FieldCell;
 use super::kernel::stamp::Stamp;
-use super::layer::Layer;
-use super::refresh::Refresh;
+use super::layer::{Layer, Parts};
 use super::repair::Scope;
 use super::stale::Stale;
 use super::steps::BLOCK;
@@ -93,16 +92,10 @@ impl<F: FieldCell> Layer<'_, F> {
     /// Lowers the field around a new source.
     fn stamp<V: CellValue>(&mut self, gx: u32, gy: u32, values: &[V], changed: &mut Bounds) {
         let size = (self.width, self.height);
-        let mut refresh = Refresh {
-            values,
-            tables: self.tables,
-            costs: self.costs.as_deref_mut(),
-            changes: &self.changes,
-            changed,
-            width: self.width,
-        };
-        let rect = Stamp::Lower.disc(self.field, size, self.tables.disc, &self.tables.rows, (gx, gy));
-        refresh.rect(self.field, rect);
+        let (Parts { field, .. }, mut refresh) = self.refresh(values, changed);
+        let (disc, rows) = (refresh.tables.disc, &refresh.tables.rows);
+        let rect = Stamp::Lower.disc(field, size, disc, rows, (gx, gy));
+        refresh.rect(field, rect);
     }
 
     /// Recomputes the strips that window shifts left along the edges.
@@ -277,12 +270,10 @@ impl<F: FieldCell> Layer<'_, F> {
                 let i = gy as usize * self.width as usize + gx as usize;
                 if let Some(cost) = costs.get_mut(i)
                     && let Some(value) = values.get(i)
-                    && let Some(&field) = self.field.get(i)
+                    && let Some(field) = self.field.get(i)
+                    && self.tables.refresh(cost, *value, *field)
                 {
-                    let new = self.tables.cost(value.byte(), field);
-                    if core::mem::replace(cost, new) != new {
-                        changed.add(gx, gy);
-                    }
+                    changed.add(gx, gy);
                 }
             }
             cursor = w + 1;

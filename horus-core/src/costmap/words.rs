@@ -3,6 +3,8 @@
 
 use core::hint::cold_path;
 
+use super::kernel::stamp::{FEW_LANES, LANES};
+
 /// Cells per word.
 const CELLS: usize = 4;
 type Word = [u8; CELLS];
@@ -26,11 +28,18 @@ fn zeros(word: u32) -> u32 {
     !(((word & !HIGH) + !HIGH) | word) & HIGH
 }
 
-/// Lowers each cell of both rows to `squares + across` of its column if that is less. `WIDE`
-/// allows sums above 127; none exceeds 255.
+/// What stands for a column that is to stay as it is in a narrow disc.
+pub(super) const NO_SQUARE: u8 = 128;
+
+/// Lowers each cell to the square of its column. With [`FEW_LANES`], cells are below 128 or 255,
+/// squares below 128 or [`NO_SQUARE`].
 #[inline(always)]
-pub(super) fn lower<const WIDE: bool>(rows: [&mut [u8]; 2], squares: &[u8], across: u8) {
-    over(rows, squares, across, lesser::<WIDE>);
+pub(super) fn lower<const N: usize>(row: &mut [u8; N], squares: &[u8; N]) {
+    if N == FEW_LANES {
+        over(row, squares, lesser::<false>);
+    } else {
+        over(row, squares, lesser::<true>);
+    }
 }
 
 /// The lesser of each two cells, where any is less than `old`.
@@ -49,7 +58,8 @@ fn lesser<const WIDE: bool>(old: u32, new: u32) -> Option<u32> {
         let low = (old | HIGH) - (new & !HIGH);
         (old & !new) | (!(old ^ new) & low)
     } else {
-        old | ((old | HIGH) - new)
+        // Nothing borrows: 255 - 128 has no highest bit, 255 - 127 has.
+        (old | HIGH) - new
     };
     if at_least & HIGH == 0 {
         return None;
@@ -59,73 +69,26 @@ fn lesser<const WIDE: bool>(old: u32, new: u32) -> Option<u32> {
     Some((old & !at_least) | (new & at_least))
 }
 
-/// Marks as `stale` each cell of both rows that equals `squares + across` of its column.
+/// Marks as `stale` each cell that equals the square of its column, 255 apart.
 #[inline(always)]
-pub(super) fn mark(rows: [&mut [u8]; 2], squares: &[u8], across: u8, stale: u8) {
-    over(rows, squares, across, |old, new| match zeros(old ^ new) {
+pub(super) fn mark(row: &mut [u8; LANES], squares: &[u8; LANES], stale: u8) {
+    over(row, squares, |old, new| match zeros(old ^ new) {
         0 => None,
         equal => {
             cold_path();
-            let equal = spread(equal);
+            let equal = spread(equal & !zeros(!new));
             Some((old & !equal) | (every(stale) & equal))
         }
     });
 }
 
-/// Rewrites two rows of one length, or one and an empty one, given the old cells and the sums.
-/// `change` says how, if at all; it may see a cell twice.
+/// Rewrites a row, given the old cells and the squares; `change` says how, if at all.
 #[inline(always)]
-fn over(
-    [above, below]: [&mut [u8]; 2],
-    squares: &[u8],
-    across: u8,
-    change: impl Fn(u32, u32) -> Option<u32>,
-) {
-    let across = every(across);
-    let sums = |squares: &Word| u32::from_le_bytes(*squares).wrapping_add(across);
-    let apply = |cells: &mut Word, sums: u32| {
+fn over(row: &mut [u8], squares: &[u8], change: impl Fn(u32, u32) -> Option<u32>) {
+    for (cells, squares) in row.as_chunks_mut().0.iter_mut().zip(squares.as_chunks().0) {
         // Most words stay as they are.
-        if let Some(new) = change(u32::from_le_bytes(*cells), sums) {
+        if let Some(new) = change(u32::from_le_bytes(*cells), u32::from_le_bytes(*squares)) {
             *cells = new.to_le_bytes();
-        }
-    };
-    let Some(squares) = squares.get(..above.len()) else {
-        return;
-    };
-    let (square_words, rest) = squares.as_chunks();
-    if below.is_empty() {
-        for (cells, squares) in above.as_chunks_mut().0.iter_mut().zip(square_words) {
-            apply(cells, sums(squares));
-        }
-    } else {
-        let words = square_words.iter().zip(above.as_chunks_mut().0);
-        for ((squares, above), below) in words.zip(below.as_chunks_mut().0) {
-            let sums = sums(squares);
-            apply(above, sums);
-            apply(below, sums);
-        }
-    }
-    if rest.is_empty() {
-        return;
-    }
-    match squares.last_chunk() {
-        // The last word overlaps the one before.
-        Some(squares) => {
-            let sums = sums(squares);
-            for row in [above, below] {
-                if let Some(cells) = row.last_chunk_mut() {
-                    apply(cells, sums);
-                }
-            }
-        }
-        None => {
-            for row in [above, below] {
-                for (cell, square) in row.iter_mut().zip(rest) {
-                    let mut word = [*cell; CELLS];
-                    apply(&mut word, sums(&[*square; CELLS]));
-                    [*cell, ..] = word;
-                }
-            }
         }
     }
 }
@@ -191,33 +154,39 @@ mod tests {
             for new in 0..=255u8 {
                 // Neighbours that borrow or carry the most.
                 for other in [0, 127, 128, 255] {
-                    let cells = [other, old, other, old, other];
-                    let squares = [0, new, 255, new, 0];
+                    let row = |a, b| core::array::from_fn(|i| if i % 2 == 0 { a } else { b });
+                    let (cells, squares): ([u8; LANES], [u8; LANES]) = (row(other, old), row(255, new));
                     let mut lowered = cells;
-                    let mut twin = lowered;
-                    lower::<true>([&mut lowered, &mut twin], &squares, 0);
-                    assert_eq!(lowered, twin);
+                    lower(&mut lowered, &squares);
                     let expected = core::array::from_fn(|i| cells[i].min(squares[i]));
                     assert_eq!(lowered, expected, "{old} {new} beside {other}");
-                    if new < 128 {
-                        let squares = [0, new, 127, new, 0];
-                        let mut lowered = cells;
-                        let mut twin = lowered;
-                        lower::<false>([&mut lowered, &mut twin], &squares, 0);
-                        assert_eq!(lowered, twin);
-                        let expected = core::array::from_fn(|i| cells[i].min(squares[i]));
-                        assert_eq!(lowered, expected, "{old} {new} beside {other}, narrow");
-                    }
                     let mut marked = cells;
-                    let mut twin = marked;
-                    mark([&mut marked, &mut twin], &squares, 0, 254);
-                    assert_eq!(marked, twin);
-                    let expected =
-                        core::array::from_fn(|i| if cells[i] == squares[i] { 254 } else { cells[i] });
+                    mark(&mut marked, &squares, 254);
+                    let is_stale = |i: usize| cells[i] == squares[i] && squares[i] != 255;
+                    let expected = core::array::from_fn(|i| if is_stale(i) { 254 } else { cells[i] });
                     assert_eq!(marked, expected, "{old} {new} beside {other}");
-                    let bits = equal_bits(&cells, new);
-                    let expected = (0..5).fold(0, |b, i| b | u32::from(cells[i] == new) << i);
+                    let bits = equal_bits(&cells[..7], new);
+                    let expected = (0..7).fold(0, |b, i| b | u32::from(cells[i] == new) << i);
                     assert_eq!(bits, expected, "{old} {new} beside {other}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn cells_of_narrow_discs_lower_and_stay_without_a_square() {
+        let cells = || (0..128u8).chain([255]);
+        for (old, new) in cells().flat_map(|old| (0..=NO_SQUARE).map(move |new| (old, new))) {
+            for other in [0, 127, 255] {
+                for beside in [0, 127, NO_SQUARE] {
+                    let row = |a, b| core::array::from_fn(|i| if i % 2 == 0 { a } else { b });
+                    let cells: [u8; FEW_LANES] = row(other, old);
+                    let squares: [u8; FEW_LANES] = row(beside, new);
+                    let mut lowered = cells;
+                    lower(&mut lowered, &squares);
+                    let least = |i: usize| if squares[i] == NO_SQUARE { 255 } else { squares[i] };
+                    let expected = core::array::from_fn(|i| cells[i].min(least(i)));
+                    assert_eq!(lowered, expected, "{old} {new} beside {other} {beside}");
                 }
             }
         }
@@ -239,21 +208,9 @@ mod tests {
     }
 
     #[test]
-    fn rows_of_any_length_are_treated_whole() {
+    fn bits_of_rows_of_any_length() {
+        let row = [254u8; 33];
         for length in 0..=32 {
-            let mut row = [200u8; 33];
-            let squares: [u8; 33] = core::array::from_fn(|i| i as u8 * 3);
-            lower::<true>([&mut row[..length], &mut []], &squares, 10);
-            for (i, cell) in row.iter().enumerate() {
-                let expected = if i < length {
-                    (i as u8 * 3 + 10).min(200)
-                } else {
-                    200
-                };
-                assert_eq!(*cell, expected, "{i} of {length}");
-            }
-            mark([&mut row[..length], &mut []], &squares, 10, 254);
-            assert!(row[..length].iter().all(|c| *c == 254), "{length}");
             let all = if length == 32 { u32::MAX } else { (1 << length) - 1 };
             assert_eq!(equal_bits(&row[..length], 254), all);
         }

@@ -91,7 +91,11 @@ macro_rules! distance_cell {
         }
 
         impl sealed::Cell for $signed {
-            const NONE: u32 = i16::MAX as u32;
+            const NONE: u32 = if Self::BITS == 16 {
+                i16::MAX as u32
+            } else {
+                u16::MAX as u32
+            };
 
             #[inline(always)]
             fn new(obstacle: bool, distance: u32) -> Self {

@@ -1,13 +1,11 @@
 //! One row: every column whose nearest obstacle lies `g` rows away raises the parabola
 //! `(x - column)^2 + g^2`; the row's distances are the lowest of them.
 
-use super::DistanceCell;
-
 /// A column that is nearest to some cells of a row: scratch memory of a distance map, 12 bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct EnvelopeVertex {
     column: u32,
-    /// Square of its distance to the obstacle in its column.
+    /// `column^2 + g^2`: what two parabolas have in common cancels out, so these alone tell where they cross.
     height: u32,
     /// First cell of the row that it is nearest to.
     start: u32,
@@ -20,91 +18,115 @@ impl EnvelopeVertex {
         height: 0,
         start: 0,
     };
-
-    /// Squared distance of a cell.
-    #[inline(always)]
-    fn at(&self, x: u32) -> u32 {
-        let dx = x.abs_diff(self.column);
-        dx * dx + self.height
-    }
 }
 
-/// The vertices of a row, from left to right, in the first part of `vertices`; columns whose obstacle is farther
-/// than `reach` raise none.
-///
-/// Rows and `reach` are at most [`MAX_SIDE`](super::MAX_SIDE): sums of two squares fit 31 bits.
-#[inline(always)]
-pub(super) fn build(
-    vertices: &mut [EnvelopeVertex],
-    distances: impl Iterator<Item = u32>,
-    width: u32,
-    reach: u32,
-) -> Envelope<'_> {
-    let mut used = 0_usize;
-    for (column, distance) in (0..width).zip(distances) {
-        if distance > reach {
-            continue;
-        }
-        let height = distance * distance;
-        let mut new = EnvelopeVertex {
-            column,
-            height,
-            start: 0,
-        };
-        while let Some(last) = used.checked_sub(1).and_then(|i| vertices.get(i)) {
-            if last.at(last.start) > new.at(last.start) {
-                used -= 1; // hidden altogether
+/// The start of a parabola that does not exist.
+const NONE: u32 = u32::MAX;
+
+/// The lower envelope of a row, read from right to left.
+pub(super) struct Envelope<'a> {
+    /// What the cells farther to the left are nearest to, from left to right.
+    vertices: &'a [EnvelopeVertex],
+    /// The parabola that cells are taken from now: its column, the square of its `g`, and where it starts.
+    column: u32,
+    bottom: u32,
+    start: u32,
+}
+
+impl<'a> Envelope<'a> {
+    /// The envelope of a row, `distance` being that of a column to its obstacle; columns whose obstacle is farther than
+    /// `reach` raise no parabola. It lies in the first part of `vertices`.
+    ///
+    /// Rows and `reach` are at most [`MAX_SIDE`](super::MAX_SIDE): sums of two squares fit 31 bits.
+    // A frame of its own: within its caller half of what the loop works with lies on the stack.
+    #[inline(never)]
+    pub(super) fn build<D: Copy>(
+        vertices: &'a mut [EnvelopeVertex],
+        row: &[D],
+        distance: impl Fn(D) -> u32,
+        reach: u32,
+    ) -> Self {
+        let width = row.len() as u32;
+        let mut used = 0_usize;
+        let mut last = EnvelopeVertex::EMPTY;
+        for (column, cell) in (0_u32..).zip(row) {
+            let distance = distance(*cell);
+            if distance > reach {
                 continue;
             }
-            // Where the two cross; not before the last one's start, so the difference is not negative.
-            let (a, b) = (column * column + height, last.column * last.column + last.height);
-            new.start = 1 + a.saturating_sub(b) / (2 * (column - last.column)).max(1);
-            break;
-        }
-        if new.start < width
-            && let Some(slot) = vertices.get_mut(used)
-        {
-            *slot = new;
-            used += 1;
-        }
-    }
-    Envelope(vertices.get(..used).unwrap_or_default())
-}
-
-/// The lower envelope of a row; without vertices nothing is within reach.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Envelope<'a>(&'a [EnvelopeVertex]);
-
-impl Envelope<'_> {
-    /// Writes the squared distances of the cells from `left` on, at most `cap`.
-    #[inline(always)]
-    pub(super) fn write<D: DistanceCell>(&self, left: u32, row: &mut [D], cap: u32) {
-        if self.0.is_empty() {
-            row.fill(D::new(false, cap));
-        }
-        let after = self.0.iter().skip(1).map(|vertex| vertex.start).chain([u32::MAX]);
-        for (vertex, end) in self.0.iter().zip(after) {
-            let index = |x: u32| (x.saturating_sub(left) as usize).min(row.len());
-            let (start, end) = (index(vertex.start), index(end));
-            for (cell, x) in row
-                .get_mut(start..end)
-                .unwrap_or_default()
-                .iter_mut()
-                .zip(left + start as u32..)
+            let height = column * column + distance * distance;
+            let mut start = 0;
+            while used > 0 {
+                let higher = height as i32 - last.height as i32;
+                let apart = 2 * (column - last.column);
+                if higher >= (apart * last.start) as i32 {
+                    // Columns ascend, so they are apart.
+                    start = (higher as u32)
+                        .checked_div(apart)
+                        .map_or(0, |crossing| crossing + 1);
+                    break;
+                }
+                // They cross before the last one's start: it is hidden altogether.
+                used -= 1;
+                if let Some(before) = used.checked_sub(1).and_then(|i| vertices.get(i)) {
+                    last = *before;
+                }
+            }
+            if start < width
+                && let Some(slot) = vertices.get_mut(used)
             {
-                *cell = D::new(false, vertex.at(x).min(cap));
+                last = EnvelopeVertex {
+                    column,
+                    height,
+                    start,
+                };
+                *slot = last;
+                used += 1;
             }
         }
+        let mut envelope = Self {
+            vertices: vertices.get(..used).unwrap_or_default(),
+            column: 0,
+            bottom: 0,
+            start: NONE,
+        };
+        envelope.step();
+        envelope
     }
 
-    /// The squared distance of a cell not to the left of the one asked before, at most `cap`.
+    /// True if no column has an obstacle within reach.
+    pub(super) fn is_empty(&self) -> bool {
+        self.start == NONE
+    }
+
+    /// Goes on to a cell, any number of cells to the left.
     #[inline(always)]
-    pub(super) fn next(&mut self, x: u32, cap: u32) -> u32 {
-        while let [_, rest @ ..] = self.0
-            && rest.first().is_some_and(|vertex| vertex.start <= x)
-        {
-            self.0 = rest;
+    pub(super) fn go_to(&mut self, x: u32) {
+        while x < self.start && self.step() {}
+    }
+
+    /// The squared distance of the cell gone to, or of the one to the left of the one asked for before; of an envelope
+    /// that is not empty.
+    #[inline(always)]
+    pub(super) fn squared(&mut self, x: u32) -> u32 {
+        // Starts are strictly ascending: there is one vertex to go on to at most.
+        if x < self.start {
+            self.step();
         }
-        self.0.first().map_or(cap, |vertex| vertex.at(x).min(cap))
+        let dx = x.wrapping_sub(self.column);
+        dx.wrapping_mul(dx) + self.bottom // the square of a negative number, too
+    }
+
+    /// Goes on to the parabola to the left; `false` if there is none.
+    #[inline(always)]
+    fn step(&mut self) -> bool {
+        let Some((vertex, before)) = self.vertices.split_last() else {
+            return false;
+        };
+        self.vertices = before;
+        self.column = vertex.column;
+        self.bottom = vertex.height - vertex.column * vertex.column;
+        self.start = vertex.start;
+        true
     }
 }

@@ -254,7 +254,7 @@ impl<'a, D: DistanceCell> DistanceMap<'a, D> {
             }
         }
         let (index, width) = (nearest? as u32, grid.width());
-        Some((index % width, index / width))
+        Some((index.checked_rem(width)?, index.checked_div(width)?))
     }
 
     /// The cells that computing a window works on, one of [`DistanceBuffers::cells`] each: the window, and to its left

@@ -19,6 +19,8 @@ mod lanes;
 mod map;
 mod options;
 mod rows;
+#[cfg(test)]
+mod tests;
 
 pub use buffers::{DistanceBuffers, DistanceMapBuffers};
 pub use cell::DistanceCell;

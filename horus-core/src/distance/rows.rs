@@ -1,6 +1,6 @@
 //! From distances within columns to distances: row by row.
 
-use super::envelope::{self, EnvelopeVertex};
+use super::envelope::{Envelope, EnvelopeVertex};
 use super::lanes::{BLOCK, LOOK, Lanes};
 use super::{DistanceCell, MAX_SIDE};
 
@@ -103,6 +103,7 @@ impl Rows {
         u32::from(squared.unsigned_abs()).min(self.cap.0)
     }
 
+    #[inline(never)]
     fn by_envelope<D: DistanceCell>(&self, cells: &mut [D], vertices: &mut [EnvelopeVertex], place: Place) {
         let (reach, cap) = (self.cap.reach(), self.cap.0);
         let Place {
@@ -112,26 +113,53 @@ impl Rows {
             to,
             window,
         } = place;
-        let row = cells.get(from..from + width as usize).unwrap_or_default().iter();
+        let row = cells.get(from..from + width as usize).unwrap_or_default();
+        let columns = left..left + window;
         if !D::SIGNED {
-            let envelope = envelope::build(vertices, row.map(|d| from_clear(*d)), width, reach);
+            let envelope = Envelope::build(vertices, row, from_clear, reach);
             let target = cells.get_mut(to..to + window as usize).unwrap_or_default();
-            return envelope.write(left, target, cap);
+            if envelope.is_empty() {
+                return target.fill(D::new(false, cap));
+            }
+            return write(target, envelope, left, cap);
         }
         let Some((outside, inside)) = vertices.split_at_mut_checked(width as usize) else {
             return;
         };
-        let mut outside = envelope::build(outside, row.clone().map(|d| from_clear(*d)), width, reach);
-        let mut inside = envelope::build(inside, row.map(|d| from_obstacle(*d)), width, reach);
-        for (x, column) in (0..window as usize).zip(left..) {
-            let Some(obstacle) = cells.get(from + column as usize).map(|d| d.is_obstacle()) else {
+        let mut outside = Envelope::build(outside, row, from_clear, reach);
+        let mut inside = Envelope::build(inside, row, from_obstacle, reach);
+        // Into the places of the columns first: what is still to be read may lie where a cell goes to.
+        for column in columns.rev() {
+            let Some(cell) = cells.get_mut(from + column as usize) else {
                 return;
             };
+            let obstacle = cell.is_obstacle();
             let envelope = if obstacle { &mut inside } else { &mut outside };
-            if let Some(cell) = cells.get_mut(to + x) {
-                *cell = D::new(obstacle, envelope.next(column, cap));
+            let squared = if envelope.is_empty() {
+                cap
+            } else {
+                envelope.go_to(column);
+                envelope.squared(column).min(cap)
+            };
+            *cell = D::new(obstacle, squared);
+        }
+        for x in 0..window as usize {
+            if let Some(&cell) = cells.get(from + left as usize + x)
+                && let Some(target) = cells.get_mut(to + x)
+            {
+                *target = cell;
             }
         }
+    }
+}
+
+/// The row of a map without a sign, the first cell in column `left`.
+#[inline(never)]
+fn write<D: DistanceCell>(row: &mut [D], mut envelope: Envelope<'_>, left: u32, cap: u32) {
+    let columns = left..left + row.len() as u32;
+    envelope.go_to(columns.end.saturating_sub(1));
+    for (cell, column) in row.iter_mut().zip(columns).rev() {
+        *cell = D::new(false, envelope.squared(column).min(cap));
     }
 }
 

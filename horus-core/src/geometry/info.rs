@@ -145,7 +145,6 @@ impl GridInfo {
     /// The cell of a world point in window coordinates, also outside the window.
     ///
     /// `None` for a point that is not finite or is more than 2^30 cells away.
-    #[inline]
     pub fn world_to_cell(&self, x: f32, y: f32) -> Option<(i32, i32)> {
         let (lx, ly) = self.local(x, y);
         if !(lx.is_finite() && ly.is_finite()) {
@@ -215,6 +214,16 @@ impl GridInfo {
             (-CELL_LIMIT..=CELL_LIMIT).contains(&offset).then_some(offset)
         };
         Some([along(0)?, along(1)?])
+    }
+
+    /// Whether the window can move by so many whole cells.
+    pub(crate) fn can_move(&self, shift: [i32; 2]) -> bool {
+        self.moved(shift).is_some()
+    }
+
+    /// Moves the window to another offset, within 2^30 cells.
+    pub(crate) fn move_to(&mut self, offset: [i32; 2]) {
+        self.offset = offset;
     }
 
     /// Moves the window by a shift that [`shift_to`](Self::shift_to) returned.

@@ -8,7 +8,7 @@ use super::{BeamSlot, FREE, LaserScan, OCCUPIED, ScanModel, ScanReport, ScanWork
 use crate::error::Error;
 use crate::geometry::{CellRect, GridInfo, Pose2D};
 use crate::math;
-use crate::walk::{End, GridWalk, Tie};
+use crate::walk::{End, Far, GridWalk};
 
 /// Is told of every cell whose value differs from before the scan, each once.
 pub(crate) trait ChangeSink {
@@ -44,15 +44,13 @@ pub(crate) fn integrate(
         ScanModel::Accumulate { .. } => info.cells().div_ceil(32),
     };
     let Prepared { slots, seen } = workspace.prepare(scan, words)?;
-    let mut beams = Beams {
+    let ends = Ends {
         info,
-        scan,
-        slots,
-        start: info.world_to_cell(sensor.x, sensor.y),
         sensor,
+        start: info.world_to_cell(sensor.x, sensor.y),
         cos_sin: math::cos_sin(sensor.theta),
     };
-    beams.find_hits();
+    let beams = Beams::new(ends, scan, slots);
     let (hits, misses) = match model {
         ScanModel::Set => set(cells, &beams, sink),
         ScanModel::Accumulate { hit, miss, min, max } => {
@@ -72,20 +70,17 @@ pub(crate) fn integrate(
     })
 }
 
-/// The beams of one scan in the grid's window.
-struct Beams<'a> {
+/// Where in a grid the beams of a scan start and end.
+struct Ends<'a> {
     info: &'a GridInfo,
-    scan: &'a LaserScan<'a>,
-    slots: &'a mut [BeamSlot],
     sensor: Pose2D,
     /// Cell of the sensor; `None` if it is too far away for any beam.
     start: Option<(i32, i32)>,
     cos_sin: (f32, f32),
 }
 
-impl Beams<'_> {
+impl Ends<'_> {
     /// The cell a beam ends in.
-    #[inline]
     fn end(&self, direction: &Vector2<f32>, range: f32) -> Option<(i32, i32)> {
         let (c, s) = self.cos_sin;
         let dx = c * direction.x - s * direction.y;
@@ -94,21 +89,32 @@ impl Beams<'_> {
             .world_to_cell(self.sensor.x + dx * range, self.sensor.y + dy * range)
     }
 
+    /// The cell of the map that a beam hits.
+    fn hit(&self, direction: &Vector2<f32>, range: f32) -> Option<usize> {
+        self.start?;
+        let (cx, cy) = self.end(direction, range)?;
+        self.info.index(cx as u32, cy as u32)
+    }
+}
+
+/// The beams of one scan in the grid's window.
+struct Beams<'a> {
+    ends: Ends<'a>,
+    scan: &'a LaserScan<'a>,
+    slots: &'a [BeamSlot],
+}
+
+impl<'a> Beams<'a> {
     /// Notes in its slot which cell of the map each beam hits.
-    fn find_hits(&mut self) {
-        for i in 0..self.slots.len() {
-            let (Some(slot), Some(&range)) = (self.slots.get(i), self.scan.ranges.get(i)) else {
-                return;
-            };
-            let hit = match (self.start, self.scan.beam(range)) {
-                (Some(_), Beam::Hit) => self.end(&slot.direction, range),
+    fn new(ends: Ends<'a>, scan: &'a LaserScan<'a>, slots: &'a mut [BeamSlot]) -> Self {
+        for (slot, &range) in slots.iter_mut().zip(scan.ranges) {
+            let cell = match scan.beam(range) {
+                Beam::Hit => ends.hit(&slot.direction, range),
                 _ => None,
             };
-            let cell = hit.and_then(|(cx, cy)| self.info.index(cx as u32, cy as u32));
-            if let Some(slot) = self.slots.get_mut(i) {
-                slot.hit = cell.map_or(BeamSlot::NO_CELL, |i| i as u32);
-            }
+            slot.hit = cell.map_or(BeamSlot::NO_CELL, |i| i as u32);
         }
+        Self { ends, scan, slots }
     }
 
     /// Every cell of the map that a beam hits.
@@ -124,10 +130,10 @@ impl Beams<'_> {
     #[inline]
     fn for_each_cleared(&self, mut visit: impl FnMut(usize)) -> (u32, u32) {
         let (mut hits, mut misses) = (0, 0);
-        let Some(start) = self.start else {
+        let Some(start) = self.ends.start else {
             return (hits, misses);
         };
-        let (width, height) = (self.info.width(), self.info.height());
+        let (width, height) = (self.ends.info.width(), self.ends.info.height());
         for (slot, &range) in self.slots.iter().zip(self.scan.ranges) {
             let (range, last, count) = match self.scan.beam(range) {
                 Beam::Hit => (range, End::Excluded, &mut hits),
@@ -135,7 +141,7 @@ impl Beams<'_> {
                 Beam::Ignored => continue,
             };
             let end = if slot.hit == BeamSlot::NO_CELL {
-                self.end(&slot.direction, range)
+                self.ends.end(&slot.direction, range)
             } else {
                 let (gx, gy) = self.cell(slot.hit as usize);
                 Some((gx as i32, gy as i32))
@@ -144,7 +150,7 @@ impl Beams<'_> {
                 continue;
             };
             *count += 1;
-            if let Some(walk) = GridWalk::new(start, end, Tie::Far, last, (width, height)) {
+            if let Some(walk) = GridWalk::new::<Far>(start, end, last, width, height) {
                 walk.for_each(&mut visit);
             }
         }
@@ -153,7 +159,7 @@ impl Beams<'_> {
 
     /// Column and row of a linear index.
     fn cell(&self, i: usize) -> (u32, u32) {
-        let (i, width) = (i as u32, self.info.width().max(1));
+        let (i, width) = (i as u32, self.ends.info.width().max(1));
         (i % width, i / width)
     }
 }

@@ -13,6 +13,7 @@ pub use scan::{LaserScan, ScanModel, ScanReport};
 pub use workspace::{BeamSlot, ScanBuffers, ScanWorkspace};
 
 pub(crate) use integrate::ChangeSink;
+pub(crate) use workspace::BeamAngles;
 
 /// Cell value: nothing is known.
 pub const UNKNOWN: i8 = -1;

@@ -142,10 +142,23 @@ impl<S: AsRef<[i8]> + AsMut<[i8]>> OccupancyGrid<S> {
     /// One read and one write per cell, none for a zero shift.
     pub fn recenter(&mut self, pose: Pose2D) -> Result<[i32; 2], Error> {
         let shift = self.info.shift_to(pose)?;
-        let (width, height) = (self.width(), self.height());
-        storage::shift_cells(self.data_mut(), width, height, shift, UNKNOWN);
+        self.shift_cells(shift);
         self.info.shift_by(shift);
         Ok(shift)
+    }
+
+    /// Moves the window to another offset, within 2^30 cells; returns the cells moved, saturating.
+    pub(crate) fn move_to(&mut self, offset: [i32; 2]) -> [i32; 2] {
+        let from = self.info.offset();
+        let shift = [0, 1].map(|axis| offset[axis].saturating_sub(from[axis]));
+        self.shift_cells(shift);
+        self.info.move_to(offset);
+        shift
+    }
+
+    fn shift_cells(&mut self, shift: [i32; 2]) {
+        let (width, height) = (self.width(), self.height());
+        storage::shift_cells(self.data_mut(), width, height, shift, UNKNOWN);
     }
 
     /// Integrates a laser scan taken at `sensor_pose` (world frame, the lidar's own mounting pose

@@ -22,8 +22,25 @@ pub struct ScanWorkspace<'a> {
     slots: &'a mut [BeamSlot],
     seen: &'a mut [u32],
     /// Angles the directions were computed for, and how many of them are.
-    geometry: (f32, f32),
+    angles: BeamAngles,
     computed: usize,
+}
+
+/// The angles of a scan's beams, in radians: beam `i` points to `first + i * span / parts`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BeamAngles {
+    pub first: f32,
+    pub span: f32,
+    /// 1 if `span` is the angle between two beams.
+    pub parts: u32,
+}
+
+impl BeamAngles {
+    /// The angle of a beam, in f64: dividing by 1 changes no bit.
+    fn angle(&self, beam: usize) -> f64 {
+        let along = beam as f64 * f64::from(self.span);
+        f64::from(self.first) + along / f64::from(self.parts)
+    }
 }
 
 /// What a workspace keeps of one beam: its direction in the sensor frame and, while a scan is
@@ -76,7 +93,11 @@ impl<'a> ScanWorkspace<'a> {
         Self {
             slots,
             seen,
-            geometry: (0.0, 0.0),
+            angles: BeamAngles {
+                first: 0.0,
+                span: 0.0,
+                parts: 1,
+            },
             computed: 0,
         }
     }
@@ -91,23 +112,40 @@ impl<'a> ScanWorkspace<'a> {
         let beams = scan.ranges.len();
         require(Buffer::Beams, beams, self.slots.len())?;
         require(Buffer::Seen, words, self.seen.len())?;
-        let geometry = (scan.angle_min, scan.angle_increment);
-        if geometry != self.geometry {
-            self.geometry = geometry;
-            self.computed = 0;
-        }
-        for (i, slot) in self.slots.iter_mut().enumerate().take(beams).skip(self.computed) {
-            let angle = f64::from(geometry.0) + i as f64 * f64::from(geometry.1);
-            let (cos, sin) = math::beam_cos_sin(angle);
-            slot.direction = Vector2::new(cos, sin);
-        }
-        self.computed = self.computed.max(beams);
+        self.point(
+            beams,
+            BeamAngles {
+                first: scan.angle_min,
+                span: scan.angle_increment,
+                parts: 1,
+            },
+        );
         let seen = self.seen.get_mut(..words).unwrap_or_default();
         seen.fill(0);
         Ok(Prepared {
             slots: self.slots.get_mut(..beams).unwrap_or_default(),
             seen,
         })
+    }
+
+    /// The slots of `beams` beams with their directions; of fewer if there is no room for all.
+    pub(crate) fn directed(&mut self, beams: usize, angles: BeamAngles) -> &mut [BeamSlot] {
+        let beams = beams.min(self.slots.len());
+        self.point(beams, angles);
+        self.slots.get_mut(..beams).unwrap_or_default()
+    }
+
+    /// Computes the directions of the first `beams` beams, but for those that are there.
+    fn point(&mut self, beams: usize, angles: BeamAngles) {
+        if angles != self.angles {
+            self.angles = angles;
+            self.computed = 0;
+        }
+        for (i, slot) in self.slots.iter_mut().enumerate().take(beams).skip(self.computed) {
+            let (cos, sin) = math::beam_cos_sin(angles.angle(i));
+            slot.direction = Vector2::new(cos, sin);
+        }
+        self.computed = self.computed.max(beams);
     }
 }
 

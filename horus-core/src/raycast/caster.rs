@@ -3,7 +3,7 @@ use nalgebra::{Isometry2, UnitComplex, Vector2};
 use crate::geometry::CELL_LIMIT;
 use crate::grid::{OccupancyGrid2d, ValueTraits};
 use crate::math;
-use crate::walk::{CellWalk, End, GridWalk, Tie, WalkRule};
+use crate::walk::{CellWalk, End, Far, GridWalk, Near, Tie, WalkRule};
 
 /// Casts rays from one pose through a grid, up to a range.
 ///
@@ -90,8 +90,8 @@ impl<'a, G: OccupancyGrid2d + ?Sized> RayCaster<'a, G> {
     pub fn cast(&self, bearing: UnitComplex<f32>) -> Option<f32> {
         let (from, to) = self.ends(bearing)?;
         let hit = match self.rule {
-            WalkRule::Standard => self.first_not_free(from, to, Tie::Near),
-            WalkRule::Navground => self.first_not_free(from, to, Tie::Far),
+            WalkRule::Standard => self.first_not_free::<Near>(from, to),
+            WalkRule::Navground => self.first_not_free::<Far>(from, to),
             WalkRule::Supercover => {
                 let mut cells = CellWalk::new(from, to, self.rule).take_while(|c| self.grid.contains(*c));
                 cells.find(|cell| !self.grid.free_at(*cell))
@@ -103,14 +103,17 @@ impl<'a, G: OccupancyGrid2d + ?Sized> RayCaster<'a, G> {
         Some(distance.min(self.range))
     }
 
-    fn first_not_free(&self, from: Vector2<i32>, to: Vector2<i32>, tie: Tie) -> Option<Vector2<i32>> {
+    fn first_not_free<T: Tie>(&self, from: Vector2<i32>, to: Vector2<i32>) -> Option<Vector2<i32>> {
         let size = (self.grid.width(), self.grid.height());
         let (values, data) = (self.grid.value_traits(), self.grid.data());
         // A walk never comes back into a rectangle: the part inside is the part before it leaves.
-        let walk = GridWalk::new((from.x, from.y), (to.x, to.y), tie, End::Included, size)?;
+        let walk = GridWalk::new::<T>((from.x, from.y), (to.x, to.y), End::Included, size.0, size.1)?;
         let free = |i: usize| data.get(i).is_some_and(|value| values.is_free(*value));
         let hit = walk.find(|i| !free(i))? as u32;
-        Some(Vector2::new((hit % size.0) as i32, (hit / size.0) as i32))
+        Some(Vector2::new(
+            hit.checked_rem(size.0)? as i32,
+            hit.checked_div(size.0)? as i32,
+        ))
     }
 
     /// First and last cell of the uncut ray.

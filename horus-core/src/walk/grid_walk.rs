@@ -28,12 +28,12 @@ impl GridWalk {
     /// skipped in closed form: no step is ever taken there.
     ///
     /// Coordinates lie within +-2^30 and sizes are at most 2^30. Constant time.
-    pub(crate) fn new(
+    pub(crate) fn new<T: Tie>(
         from: (i32, i32),
         to: (i32, i32),
-        tie: Tie,
         end: End,
-        (width, height): (u32, u32),
+        width: u32,
+        height: u32,
     ) -> Option<Self> {
         let (ax, ay) = (to.0.abs_diff(from.0), to.1.abs_diff(from.1));
         let (sign_x, sign_y) = (sign(from.0, to.0), sign(from.1, to.1));
@@ -48,7 +48,7 @@ impl GridWalk {
             End::Included => n,
             End::Excluded => n.checked_sub(1)?,
         };
-        let start = tie.start(n);
+        let start = T::start(n);
         let inside = |c: (i32, i32)| (c.0 as u32) < width && (c.1 as u32) < height;
         if inside(from) && inside(to) {
             let index = from.1 as usize * width as usize + from.0 as usize;
@@ -208,11 +208,12 @@ fn divide(dividend: u64, divisor: u32) -> (u64, u32) {
 #[cfg(test)]
 mod tests {
     extern crate std;
+    use super::super::{Far, Near};
     use super::*;
     use std::vec::Vec;
 
     /// The rule as SPEC 4 words it, stepping through every cell.
-    fn stepped(from: (i32, i32), to: (i32, i32), tie: Tie) -> Vec<(i32, i32)> {
+    fn stepped(from: (i32, i32), to: (i32, i32), near: bool) -> Vec<(i32, i32)> {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let (mut x, mut y) = from;
         let mut cells = std::vec![(x, y)];
@@ -223,16 +224,10 @@ mod tests {
             (dy.abs(), dx.abs())
         };
         // Beluga's error term is twice navground's.
-        let (mut err, scale) = match tie {
-            Tie::Near => (da, 2),
-            Tie::Far => (da / 2, 1),
-        };
+        let (mut err, scale) = if near { (da, 2) } else { (da / 2, 1) };
         for _ in 0..da {
             err += scale * db;
-            let minor = match tie {
-                Tie::Near => err > scale * da,
-                Tie::Far => err >= da,
-            };
+            let minor = if near { err > scale * da } else { err >= da };
             if minor {
                 err -= scale * da;
             }
@@ -256,8 +251,8 @@ mod tests {
                     for tx in range.clone() {
                         for ty in range.clone() {
                             let ends = [End::Included, End::Excluded];
-                            for (end, tie) in ends.into_iter().flat_map(|e| [(e, Tie::Near), (e, Tie::Far)]) {
-                                let mut expected = stepped((fx, fy), (tx, ty), tie);
+                            for (end, near) in ends.into_iter().flat_map(|e| [(e, false), (e, true)]) {
+                                let mut expected = stepped((fx, fy), (tx, ty), near);
                                 if end == End::Excluded {
                                     expected.pop();
                                 }
@@ -266,11 +261,16 @@ mod tests {
                                     .filter(|c| (c.0 as u32) < w && (c.1 as u32) < h)
                                     .map(|c| c.1 as usize * w as usize + c.0 as usize)
                                     .collect();
+                                let walk = if near {
+                                    GridWalk::new::<Near>((fx, fy), (tx, ty), end, w, h)
+                                } else {
+                                    GridWalk::new::<Far>((fx, fy), (tx, ty), end, w, h)
+                                };
                                 let mut got = Vec::new();
-                                if let Some(walk) = GridWalk::new((fx, fy), (tx, ty), tie, end, (w, h)) {
+                                if let Some(walk) = walk {
                                     walk.for_each(|i| got.push(i));
                                 }
-                                assert_eq!(got, expected, "({fx},{fy}) ({tx},{ty}) {w}x{h} {tie:?} {end:?}");
+                                assert_eq!(got, expected, "({fx},{fy}) ({tx},{ty}) {w}x{h} {near} {end:?}");
                             }
                         }
                     }
@@ -309,7 +309,7 @@ mod tests {
             for fy in far {
                 for tx in far {
                     for ty in far {
-                        let walk = GridWalk::new((fx, fy), (tx, ty), Tie::Far, End::Included, (4, 4));
+                        let walk = GridWalk::new::<Far>((fx, fy), (tx, ty), End::Included, 4, 4);
                         if let Some(walk) = walk {
                             assert!(walk.cells <= 4, "{walk:?}");
                             walk.for_each(|i| assert!(i < 16));
@@ -324,13 +324,7 @@ mod tests {
 
     #[test]
     fn an_empty_grid_has_no_cells() {
-        assert_eq!(
-            GridWalk::new((0, 0), (0, 0), Tie::Far, End::Included, (0, 0)),
-            None
-        );
-        assert_eq!(
-            GridWalk::new((-3, 0), (5, 0), Tie::Far, End::Included, (0, 7)),
-            None
-        );
+        assert_eq!(GridWalk::new::<Far>((0, 0), (0, 0), End::Included, 0, 0), None);
+        assert_eq!(GridWalk::new::<Near>((-3, 0), (5, 0), End::Included, 0, 7), None);
     }
 }

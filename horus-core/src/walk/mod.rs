@@ -12,8 +12,8 @@ mod rule;
 
 pub use cell_walk::CellWalk;
 pub(crate) use grid_walk::{End, GridWalk};
-pub(crate) use rule::Tie;
 pub use rule::WalkRule;
+pub(crate) use rule::{Far, Near, Tie};
 
 /// -1, 0 or 1: the direction of travel.
 fn sign(from: i32, to: i32) -> i32 {

@@ -15,22 +15,30 @@ pub enum WalkRule {
     Navground,
 }
 
-/// Where a walk turns when its line runs exactly between two cells.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Tie {
-    /// Stay on the start's side: Beluga.
-    Near,
-    /// Move on: navground and nav2.
-    Far,
+/// Where a walk turns when its line runs exactly between two cells. A type, so that each walk's code knows its own.
+pub(crate) trait Tie {
+    /// What the error term of a walk with `n` dominant steps starts with.
+    fn start(n: u32) -> u32;
 }
 
-impl Tie {
-    /// What the error term of a walk with `n` dominant steps starts with.
-    #[inline]
-    pub(super) const fn start(self, n: u32) -> u32 {
-        match self {
-            Self::Near => n.saturating_sub(1) / 2,
-            Self::Far => n / 2,
-        }
+/// Stays on the start's side: Beluga.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Near {}
+
+/// Moves on: navground and nav2.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Far {}
+
+impl Tie for Near {
+    #[inline(always)]
+    fn start(n: u32) -> u32 {
+        n.saturating_sub(1) / 2
+    }
+}
+
+impl Tie for Far {
+    #[inline(always)]
+    fn start(n: u32) -> u32 {
+        n / 2
     }
 }

@@ -56,6 +56,7 @@ impl MapOptions {
                 Model::Accumulate => ScanModel::accumulate(),
             },
             keep_costs: self.keep_costs,
+            local: None,
         }
     }
 }

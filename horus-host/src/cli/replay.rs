@@ -4,6 +4,7 @@ use anyhow::{Context, bail};
 use clap::Args;
 use horus_host::log::{LogReader, ReadEnd};
 
+use super::map_kind::MapKindOptions;
 use super::map_log::Frames;
 use super::map_options::MapOptions;
 use super::out_dir::OutDir;
@@ -46,11 +47,14 @@ pub struct ReplayOptions {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
+    kind: MapKindOptions,
+    #[command(flatten)]
     map: MapOptions,
 }
 
 pub fn run(options: &ReplayOptions) -> anyhow::Result<Verdict> {
-    let config = options.map.config();
+    let mut config = options.map.config();
+    options.kind.apply(&mut config)?;
     config.validate()?;
     let longest_gap_ns = match options.max_gap {
         None => None,

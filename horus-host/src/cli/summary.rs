@@ -82,7 +82,7 @@ impl Summary {
             width: config.width,
             height: config.height,
             resolution: config.resolution,
-            model: model_name(config.model),
+            model: model_name(config),
             parameters: Parameters::from(&config.params),
             effective_radius_cells: storage.effective_radius,
             field: storage.field,
@@ -162,7 +162,7 @@ pub fn metadata(config: &LockstepConfig, frame: &str, side: &str) -> BTreeMap<St
         ("width", &config.width),
         ("height", &config.height),
         ("resolution", &config.resolution),
-        ("model", &model_name(config.model)),
+        ("model", &model_name(config)),
         ("inflation_radius", &p.inflation_radius),
         ("cost_scaling_factor", &p.cost_scaling_factor),
         ("lethal_cost", &p.lethal_cost),
@@ -173,11 +173,19 @@ pub fn metadata(config: &LockstepConfig, frame: &str, side: &str) -> BTreeMap<St
         ("inflate_unknown", &p.inflate_unknown),
     ];
     let pair = |(key, value): (&str, &dyn fmt::Display)| (key.to_owned(), value.to_string());
-    values.into_iter().map(pair).collect()
+    let mut metadata: BTreeMap<_, _> = values.into_iter().map(pair).collect();
+    if let Some(local) = config.local {
+        metadata.extend([
+            pair(("footprint", &local.footprint.as_str())),
+            pair(("footprint_radius", &local.radius)),
+        ]);
+    }
+    metadata
 }
 
-fn model_name(model: ScanModel) -> &'static str {
-    match model {
+fn model_name(config: &LockstepConfig) -> &'static str {
+    match config.model {
+        _ if config.local.is_some() => "local",
         ScanModel::Set => "set",
         ScanModel::Accumulate { .. } => "accumulate",
     }

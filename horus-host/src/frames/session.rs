@@ -30,6 +30,7 @@ impl StreamSession {
             params: session.params,
             model: session.model,
             keep_costs: false,
+            local: None,
         };
         config.validate().ok()?;
         GridInfo::new(config.width, config.height, config.resolution, session.origin).ok()?;

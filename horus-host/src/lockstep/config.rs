@@ -1,4 +1,4 @@
-use horus_core::prelude::{CostParams, GridInfo, Pose2D, ScanModel};
+use horus_core::prelude::{CostParams, Footprint, GridInfo, LocalGridMapConfig, Pose2D, ScanModel};
 
 use super::LockstepError;
 
@@ -18,6 +18,17 @@ pub struct LockstepConfig {
     /// Whether the core keeps its costs as bytes, one more per cell, instead of reading them through
     /// the map.
     pub keep_costs: bool,
+    /// Draw scans as navground's `LocalGridMap` does, with this footprint; `model` is not used then.
+    pub local: Option<LocalMapping>,
+}
+
+/// What a local map frees around the robot.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LocalMapping {
+    /// The shape.
+    pub footprint: Footprint,
+    /// Its radius in metres.
+    pub radius: f32,
 }
 
 impl Default for LockstepConfig {
@@ -30,6 +41,7 @@ impl Default for LockstepConfig {
             params: CostParams::default(),
             model: ScanModel::Set,
             keep_costs: false,
+            local: None,
         }
     }
 }
@@ -53,6 +65,9 @@ impl LockstepConfig {
         }
         GridInfo::new(self.width, self.height, self.resolution, self.origin())?;
         self.params.validate()?;
+        if let Some(local) = self.local_config() {
+            local.validate()?;
+        }
         Ok(())
     }
 
@@ -61,9 +76,27 @@ impl LockstepConfig {
         self.width as usize * self.height as usize
     }
 
+    /// The local map: one lidar and one odometry sensor, whatever their names.
+    pub(super) fn local_config(&self) -> Option<LocalGridMapConfig<'static>> {
+        let LocalMapping { footprint, radius } = self.local?;
+        Some(LocalGridMapConfig {
+            width: self.width,
+            height: self.height,
+            resolution: self.resolution,
+            external_lidars: &[super::local::LIDAR],
+            external_odometry: super::local::ODOMETRY,
+            footprint,
+            radius,
+            ..LocalGridMapConfig::default()
+        })
+    }
+
     /// Where the corner of cell (0, 0) lies before the window first moves: the frame's origin is
-    /// then in the middle of the map.
+    /// then in the middle of the map, or at its corner for a local map.
     pub fn origin(&self) -> Pose2D {
+        if self.local.is_some() {
+            return Pose2D::default();
+        }
         let half = |size: u32| -(size as f32 * self.resolution) * 0.5;
         Pose2D::new(half(self.width), half(self.height), 0.0)
     }

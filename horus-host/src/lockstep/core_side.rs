@@ -1,16 +1,20 @@
 use horus_core::costmap::{CostTables, FieldCell};
 use horus_core::prelude::{
-    CostBuffers, CostMap, Error, LaserScan, OccupancyGrid, Pose2D, ScanModel, ScanReport, ScanWorkspace,
+    CostBuffers, CostMap, Error, LaserScan, LocalGridMap, OccupancyGrid, Pose2D, ScanModel, ScanReport,
+    ScanWorkspace,
 };
 
+use super::local::{CoreLocal, LocalInput};
 use super::storage::FieldStorage;
 use super::{CoreStorage, Layers, LockstepConfig, LockstepError};
+use crate::reference::LocalUpdate;
 
 /// The embedded core's map, whatever the type of its field.
 pub(super) struct CoreSide<'a> {
     map: Box<dyn CoreMap + 'a>,
     workspace: ScanWorkspace<'a>,
     model: ScanModel,
+    local: Option<CoreLocal<'a>>,
 }
 
 impl<'a> CoreSide<'a> {
@@ -31,8 +35,17 @@ impl<'a> CoreSide<'a> {
             FieldStorage::One(field, tables) => rest.map(grid, field, tables, config)?,
             FieldStorage::Two(field, tables) => rest.map(grid, field, tables, config)?,
         };
+        let beams = storage.beams.len();
+        let local = match (config.local_config(), &mut storage.local) {
+            (Some(config), Some(local)) => {
+                let buffers = (&mut local.slots[..], &mut local.floats[..]);
+                Some(CoreLocal::new(config, &mut local.cells, buffers, beams)?)
+            }
+            _ => None,
+        };
         Ok(Self {
             map,
+            local,
             workspace: ScanWorkspace::new_in(&mut storage.beams, &mut storage.seen),
             model: config.model,
         })
@@ -44,6 +57,16 @@ impl<'a> CoreSide<'a> {
 
     pub fn integrate(&mut self, scan: &LaserScan<'_>, sensor: Pose2D) -> Result<ScanReport, Error> {
         self.map.integrate(scan, sensor, self.model, &mut self.workspace)
+    }
+
+    /// An update of the local map, which the cost map follows.
+    pub fn update_local(&mut self, input: &LocalInput) -> Result<LocalUpdate, Error> {
+        let Some(local) = &mut self.local else {
+            return Ok(LocalUpdate::default());
+        };
+        let update = local.update(input, &mut self.workspace)?;
+        self.map.follow(local.map())?;
+        Ok(update)
     }
 
     pub fn update_costs(&mut self) {
@@ -105,6 +128,7 @@ trait CoreMap {
         model: ScanModel,
         workspace: &mut ScanWorkspace<'_>,
     ) -> Result<ScanReport, Error>;
+    fn follow(&mut self, local: &LocalGridMap<'_, &mut [u8]>) -> Result<(), Error>;
     fn update_costs(&mut self);
     fn read(&self, layers: &mut Layers);
     fn load(&mut self, cells: &[i8]) -> Result<(), Error>;
@@ -125,6 +149,10 @@ impl<F: FieldCell> CoreMap for CostMap<'_, F> {
         workspace: &mut ScanWorkspace<'_>,
     ) -> Result<ScanReport, Error> {
         self.integrate_scan(scan, sensor, model, workspace)
+    }
+
+    fn follow(&mut self, local: &LocalGridMap<'_, &mut [u8]>) -> Result<(), Error> {
+        local.update_cost_map(self)
     }
 
     fn update_costs(&mut self) {

@@ -5,6 +5,7 @@ use horus_core::prelude::{LaserScan, Pose2D};
 
 use super::comparison;
 use super::core_side::CoreSide;
+use super::local::LocalInput;
 use super::std_side::{self, StdSide};
 use super::{CoreStorage, Layer, Layers, LockstepConfig, LockstepError, Mismatch, Totals};
 
@@ -53,6 +54,9 @@ impl<'a> Lockstep<'a> {
         robot: Pose2D,
         sensor: Pose2D,
     ) -> Option<String> {
+        if self.config.local.is_some() {
+            return self.tick_local(stamp_ns, &LocalInput::new(scan, robot, sensor));
+        }
         let std_scan = std_side::scan(scan); // a copy, made before the clock starts
 
         let start = Instant::now();
@@ -71,6 +75,25 @@ impl<'a> Lockstep<'a> {
         let refused_scan = self.agree(Layer::ScanReport, stamp_ns, core_report, std_report);
         self.compare(stamp_ns);
         refused_shift.or(refused_scan)
+    }
+
+    /// [`tick`](Self::tick) of a local map.
+    fn tick_local(&mut self, stamp_ns: u64, input: &LocalInput) -> Option<String> {
+        let std_state = input.std_state();
+
+        let start = Instant::now();
+        let core_update = self.core.update_local(input);
+        self.core.update_costs();
+        self.totals.core_time += start.elapsed();
+
+        let start = Instant::now();
+        let std_update = self.std.update_local(input, &std_state);
+        self.std.compute_costs();
+        self.totals.std_time += start.elapsed();
+
+        let refused = self.agree(Layer::ScanReport, stamp_ns, core_update, std_update);
+        self.compare(stamp_ns);
+        refused
     }
 
     /// What has been counted so far.

@@ -37,6 +37,7 @@ mod error;
 mod field;
 mod fixed_map;
 mod layers;
+mod local;
 mod mismatch;
 mod ram;
 mod std_side;
@@ -45,7 +46,7 @@ mod storage;
 mod tests;
 mod totals;
 
-pub use config::LockstepConfig;
+pub use config::{LocalMapping, LockstepConfig};
 pub use engine::Lockstep;
 pub use error::LockstepError;
 pub use field::FieldWidth;

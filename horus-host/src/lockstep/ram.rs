@@ -17,6 +17,8 @@ pub struct RamUse {
     pub beams: usize,
     /// One bit per cell for accumulating scans; 0 otherwise.
     pub seen: usize,
+    /// A local map, one byte per cell, with its sensing state; 0 without one.
+    pub local: usize,
     /// The handles over all this.
     pub handles: usize,
 }
@@ -32,6 +34,7 @@ impl RamUse {
             + self.tables
             + self.beams
             + self.seen
+            + self.local
             + self.handles
     }
 

@@ -1,5 +1,6 @@
 use horus_core::prelude as core;
 
+use super::local::{self, LocalInput};
 use super::{Layers, LockstepConfig, LockstepError};
 use crate::reference;
 
@@ -7,6 +8,7 @@ use crate::reference;
 pub(super) struct StdSide {
     map: reference::CostMap,
     model: reference::ScanModel,
+    local: Option<reference::LocalGridMap>,
 }
 
 impl StdSide {
@@ -20,6 +22,7 @@ impl StdSide {
         Ok(Self {
             map: reference::CostMap::with_params(grid, params(&config.params))?,
             model: model(config.model),
+            local: local::std_map(config)?,
         })
     }
 
@@ -48,13 +51,28 @@ impl StdSide {
         })
     }
 
+    /// An update of the local map, whose cells become the cost map's.
+    pub fn update_local(
+        &mut self,
+        input: &LocalInput,
+        state: &reference::SensingState,
+    ) -> Result<reference::LocalUpdate, reference::ReferenceError> {
+        let Some(local) = &mut self.local else {
+            return Ok(reference::LocalUpdate::default());
+        };
+        let update = local.update(state, pose(input.robot))?;
+        self.map.occupancy_grid.data = local.occupancies();
+        Ok(update)
+    }
+
     pub fn compute_costs(&mut self) {
         self.map.compute_costs();
     }
 
     /// Copies the map out.
     pub fn read(&self, layers: &mut Layers) {
-        layers.offset = self.map.occupancy_grid.offset();
+        let grid = self.map.occupancy_grid.offset();
+        layers.offset = self.local.as_ref().map_or(grid, reference::LocalGridMap::offset);
         layers.occupancy.clone_from(&self.map.occupancy_grid.data);
         layers.costs.clone_from(&self.map.costs);
     }

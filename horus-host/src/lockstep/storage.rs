@@ -1,7 +1,8 @@
 use std::mem::{size_of, size_of_val};
 
 use horus_core::costmap::{CostTables, bit_words, scratch_words};
-use horus_core::prelude::{BeamSlot, CostMap, ScanModel, ScanWorkspace};
+use horus_core::local::BufferSlot;
+use horus_core::prelude::{BeamSlot, CostMap, LocalGridMap, ScanModel, ScanWorkspace, SensingState};
 use horus_core::storage::bitmap_words;
 
 use super::{FieldWidth, LockstepConfig, LockstepError, RamUse};
@@ -16,7 +17,28 @@ pub struct CoreStorage {
     pub(super) beams: Vec<BeamSlot>,
     pub(super) seen: Vec<u32>,
     pub(super) field: FieldStorage,
+    pub(super) local: Option<LocalStorage>,
     radius: u32,
+}
+
+/// A local map and its sensing state.
+#[derive(Debug)]
+pub(super) struct LocalStorage {
+    pub cells: Vec<u8>,
+    pub slots: Vec<BufferSlot>,
+    pub floats: Vec<f32>,
+}
+
+impl LocalStorage {
+    /// Buffers of a lidar and of an odometry sensor.
+    const SLOTS: usize = 7;
+    /// Numbers in them besides the ranges.
+    const FLOATS: usize = 12;
+
+    fn bytes(&self) -> usize {
+        let handles = size_of::<LocalGridMap<'_, &mut [u8]>>() + size_of::<SensingState<'_>>();
+        handles + self.cells.len() + size_of_val(&self.slots[..]) + size_of_val(&self.floats[..])
+    }
 }
 
 /// Distance field and tables, of the type the parameters need.
@@ -51,6 +73,14 @@ impl CoreStorage {
             beams: filled(BeamSlot::EMPTY, beams, config)?,
             seen: filled(0, seen, config)?,
             field,
+            local: match config.local {
+                None => None,
+                Some(_) => Some(LocalStorage {
+                    cells: filled(0, cells, config)?,
+                    slots: vec![BufferSlot::EMPTY; LocalStorage::SLOTS],
+                    floats: filled(0.0, beams.saturating_add(LocalStorage::FLOATS), config)?,
+                }),
+            },
             radius,
         })
     }
@@ -91,6 +121,7 @@ impl CoreStorage {
             tables,
             beams: size_of_val(&self.beams[..]),
             seen: size_of_val(&self.seen[..]),
+            local: self.local.as_ref().map_or(0, LocalStorage::bytes),
             handles: map + size_of::<ScanWorkspace<'_>>(),
         }
     }

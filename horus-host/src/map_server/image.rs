@@ -30,7 +30,7 @@ pub(super) enum ImageError {
 /// The rows of a PGM or PNG image, from the top.
 pub(super) enum ImageRows {
     Pgm(PgmReader<BufReader<File>>),
-    Png(PngReader<BufReader<File>>),
+    Png(Box<PngReader<BufReader<File>>>),
 }
 
 impl ImageRows {
@@ -43,7 +43,7 @@ impl ImageRows {
         let mut source = BufReader::new(File::open(path).map_err(unreadable)?);
         let rows = match source.fill_buf().map_err(unreadable)? {
             [b'P', b'2' | b'5', ..] => PgmReader::new(source).map(Self::Pgm),
-            [0x89, b'P', b'N', b'G', ..] => PngReader::new(source).map(Self::Png),
+            [0x89, b'P', b'N', b'G', ..] => PngReader::new(source).map(|reader| Self::Png(Box::new(reader))),
             _ => {
                 return Err(MapFileError::Format {
                     path: path.to_owned(),

@@ -48,6 +48,17 @@ pub enum ReferenceError {
         /// What was given.
         value: f32,
     },
+    /// A property of a local map cannot be used.
+    #[error("{name} must be {expected}")]
+    LocalMap {
+        /// The property's name.
+        name: &'static str,
+        /// Its legal values in words.
+        expected: &'static str,
+    },
+    /// Two lidars of a local map have the same name.
+    #[error("two lidars have the same name")]
+    DuplicateLidar,
     /// A footprint has too few corners to enclose anything.
     #[error("a footprint needs at least 3 vertices, not {0}")]
     PolygonSize(usize),

@@ -59,6 +59,7 @@ mod grid;
 mod inflation;
 mod integrate;
 mod laser_scan;
+mod local;
 mod pose;
 mod raycast;
 mod rect;
@@ -79,6 +80,9 @@ pub use grid::OccupancyGrid;
 #[doc(hidden)]
 pub use inflation::inflate;
 pub use laser_scan::LaserScan;
+pub use local::{
+    LidarScan, LocalFootprint, LocalGridMap, LocalGridMapConfig, LocalUpdate, SensingBuffer, SensingState,
+};
 pub use pose::Pose2D;
 pub use raycast::Walk;
 pub use rect::Rect;

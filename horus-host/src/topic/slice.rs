@@ -13,6 +13,9 @@ use super::channel::Channel;
 use super::kind::{Counted, Kind};
 use super::{Domain, TopicError, TopicOptions};
 
+type Port<K> = Publisher<ipc::Service, [<K as Kind>::Element], <K as Kind>::Header>;
+type Unwritten<K> = SampleMutUninit<ipc::Service, [MaybeUninit<<K as Kind>::Element>], <K as Kind>::Header>;
+
 /// A topic of messages of any size; publisher and subscriber at once, each made when it is used.
 pub struct SliceTopic<K: Kind> {
     channel: Channel<[K::Element], K::Header>,
@@ -107,7 +110,7 @@ impl<K: Kind> SliceTopic<K> {
         self.channel.clean();
     }
 
-    fn publisher(&self) -> Result<&Publisher<ipc::Service, [K::Element], K::Header>, TopicError> {
+    fn publisher(&self) -> Result<&Port<K>, TopicError> {
         let expected_len = self.channel.options().expected_len.max(1);
         self.channel.publisher(|builder| {
             builder
@@ -116,10 +119,7 @@ impl<K: Kind> SliceTopic<K> {
         })
     }
 
-    fn uninit(
-        &self,
-        header: K::Header,
-    ) -> Result<SampleMutUninit<ipc::Service, [MaybeUninit<K::Element>], K::Header>, TopicError> {
+    fn uninit(&self, header: K::Header) -> Result<Unwritten<K>, TopicError> {
         let sample = self.publisher()?.loan_slice_uninit(header.count());
         let mut sample = sample.map_err(|error| self.channel.error("loan a message", error))?;
         *sample.user_header_mut() = header;

@@ -3,8 +3,13 @@
 use std::fmt::Debug;
 
 use horus_core::costmap::{CostTables, FieldCell, bit_words, scratch_words};
-use horus_core::prelude::{CellRect, CostBuffers, CostMap, OccupancyGrid, Pose2D};
+use horus_core::local::{BufferSlot, SensingState};
+use horus_core::prelude::{
+    BeamSlot, CellRect, CostBuffers, CostMap, Lidar, LocalGridMap, LocalGridMapConfig, OccupancyGrid,
+    Odometry, Pose2D, ScanWorkspace,
+};
 
+use crate::local_map::{TraceMap, TraceScan};
 use crate::maps::{LiveMap, MapCase};
 
 pub use horus_core::prelude::{CostParams, Error};
@@ -279,4 +284,85 @@ pub fn cell_of_value(value: i8) -> (bool, bool, Option<i8>) {
         grid.is_occupied(0.5, 0.5),
         grid.occupancy(0, 0),
     )
+}
+
+/// A local map under test.
+pub struct LocalMap {
+    map: LocalGridMap<'static, Vec<u8>>,
+    beams: Vec<Vec<BeamSlot>>,
+}
+
+impl LocalMap {
+    pub fn new(trace: &TraceMap) -> Self {
+        // The configuration borrows; a test may leak its names.
+        let names: Vec<&str> = trace.lidars.iter().map(|name| &*name.clone().leak()).collect();
+        let config = LocalGridMapConfig {
+            width: trace.width,
+            height: trace.height,
+            resolution: trace.resolution,
+            footprint: trace.footprint.parse().expect("a footprint"),
+            radius: trace.radius,
+            external_odometry: if trace.has_odometry { "odom" } else { "" },
+            external_lidars: names.leak(),
+            ..LocalGridMapConfig::default()
+        };
+        let cells = vec![7; trace.width as usize * trace.height as usize];
+        Self {
+            map: LocalGridMap::new_in(cells, config).expect("a legal map"),
+            beams: vec![vec![BeamSlot::EMPTY; 2000]; trace.lidars.len()],
+        }
+    }
+
+    pub fn update(&mut self, world: [f32; 3], pose: [f32; 3], scans: &[TraceScan]) -> [i32; 2] {
+        let [world, pose] = [world, pose].map(|[x, y, theta]| Pose2D::new(x, y, theta));
+        let mut slots = [BufferSlot::EMPTY; 32];
+        let mut floats = vec![0.0; 10_000];
+        let mut state = SensingState::new_in(&mut slots, &mut floats, &mut []);
+        let config = *self.map.config();
+        let mut given = pose;
+        if !config.external_odometry.is_empty() {
+            let odometry = Odometry {
+                name: config.external_odometry,
+            };
+            odometry.write(&mut state, pose, [0.0; 3]).expect("room");
+            given = world;
+        }
+        for (scan, &name) in scans.iter().zip(config.external_lidars) {
+            let lidar = Lidar {
+                name,
+                mount: Pose2D::default(),
+                start_angle: scan.start_angle,
+                fov: scan.fov,
+                max_range: scan.max_range,
+            };
+            lidar.write(&mut state, &scan.ranges).expect("room");
+        }
+        let workspaces = self.beams.iter_mut();
+        let mut workspaces: Vec<_> = workspaces
+            .map(|slots| ScanWorkspace::new_in(slots, &mut []))
+            .collect();
+        let update = self
+            .map
+            .update(&state, given, &mut workspaces)
+            .expect("a legal update");
+        assert_eq!(update.lidars as usize, scans.len());
+        update.shift
+    }
+
+    pub fn data(&self) -> &[u8] {
+        self.map.data()
+    }
+
+    pub fn load(&mut self, values: &[u8]) {
+        self.map.load(values).expect("one value per cell");
+    }
+
+    pub fn origin(&self) -> [f32; 2] {
+        self.map.origin()
+    }
+
+    pub fn transformation(&self) -> [f32; 3] {
+        let pose = self.map.transformation().expect("an update");
+        [pose.x, pose.y, pose.theta]
+    }
 }

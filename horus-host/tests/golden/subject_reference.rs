@@ -1,8 +1,11 @@
 //! The subject of the tests is the std version.
 
 use horus_host::prelude::{CostMap, OccupancyGrid, Pose2D, ReferenceError};
-use horus_host::reference::inflate;
+use horus_host::reference::{
+    LidarScan, LocalFootprint, LocalGridMap, LocalGridMapConfig, SensingState, inflate,
+};
 
+use crate::local_map::{TraceMap, TraceScan};
 use crate::maps::{LiveMap, MapCase};
 
 pub use horus_host::prelude::CostParams;
@@ -133,4 +136,75 @@ pub fn cell_of_value(value: i8) -> (bool, bool, Option<i8>) {
         grid.is_occupied(0.5, 0.5),
         grid.occupancy(0, 0),
     )
+}
+
+/// A local map under test.
+pub struct LocalMap(LocalGridMap);
+
+impl LocalMap {
+    pub fn new(trace: &TraceMap) -> Self {
+        let config = LocalGridMapConfig {
+            width: trace.width,
+            height: trace.height,
+            resolution: trace.resolution,
+            footprint: match &*trace.footprint {
+                "rectangular" => LocalFootprint::Rectangular,
+                "circular" => LocalFootprint::Circular,
+                _ => LocalFootprint::None,
+            },
+            radius: trace.radius,
+            lidars: trace.lidars.clone(),
+            external_odometry: if trace.has_odometry {
+                "odom".into()
+            } else {
+                String::new()
+            },
+            ..LocalGridMapConfig::default()
+        };
+        Self(LocalGridMap::try_new(config).expect("a legal map"))
+    }
+
+    pub fn update(&mut self, world: [f32; 3], pose: [f32; 3], scans: &[TraceScan]) -> [i32; 2] {
+        let [world, pose] = [world, pose].map(|pose| {
+            let [x, y, theta] = pose.map(f64::from);
+            Pose2D::new(x, y, theta)
+        });
+        let mut state = SensingState::default();
+        let config = self.0.config().clone();
+        let mut given = pose;
+        if !config.external_odometry.is_empty() {
+            state.write_pose(&config.external_odometry, pose);
+            given = world;
+        }
+        for (scan, name) in scans.iter().zip(&config.lidars) {
+            let scan = LidarScan {
+                start_angle: scan.start_angle,
+                fov: scan.fov,
+                max_range: scan.max_range,
+                ranges: scan.ranges.clone(),
+                ..LidarScan::default()
+            };
+            state.write_scan(name, &scan);
+        }
+        let update = self.0.update(&state, given).expect("a legal update");
+        assert_eq!(update.lidars as usize, scans.len());
+        update.shift
+    }
+
+    pub fn data(&self) -> &[u8] {
+        &self.0.data
+    }
+
+    pub fn load(&mut self, values: &[u8]) {
+        self.0.data.copy_from_slice(values);
+    }
+
+    pub fn origin(&self) -> [f32; 2] {
+        self.0.origin()
+    }
+
+    pub fn transformation(&self) -> [f32; 3] {
+        let pose = self.0.transformation().expect("an update");
+        [pose.x as f32, pose.y as f32, pose.theta as f32]
+    }
 }

@@ -12,8 +12,7 @@ pub fn drive<F: FieldCell>(
     ranges: &[f32],
     side: u32,
 ) -> Result<(), Error> {
-    let grid = OccupancyGrid::new_in(cells, side, side, 0.05, opaque(Pose2D::new(-5.0, -5.0, 0.1)))?;
-    let mut map = CostMap::new_in(grid, buffers, opaque(CostParams::nav2()))?;
+    let mut map = map(cells, buffers, side)?;
     loop {
         let pose = opaque(Pose2D::new(0.4, 0.7, 0.0));
         need(map.recenter(pose)?);
@@ -30,8 +29,7 @@ pub fn use_all<F: FieldCell>(
     ranges: &[f32],
     side: u32,
 ) -> Result<(), Error> {
-    let grid = OccupancyGrid::new_in(cells, side, side, 0.05, opaque(Pose2D::new(-5.0, -5.0, 0.1)))?;
-    let mut map = CostMap::new_in(grid, buffers, opaque(CostParams::nav2()))?;
+    let mut map = map(cells, buffers, side)?;
     loop {
         let pose = opaque(Pose2D::new(0.4, 0.7, 0.0));
         need(map.recenter(pose)?);
@@ -51,6 +49,16 @@ pub fn use_all<F: FieldCell>(
         ));
         need((grid.occupancy(opaque(1), 2), grid.is_free(opaque(1.0), 2.0)));
     }
+}
+
+#[inline(always)]
+fn map<'a, F: FieldCell>(
+    cells: &'a mut [i8],
+    buffers: CostBuffers<'a, F>,
+    side: u32,
+) -> Result<CostMap<'a, F>, Error> {
+    let grid = OccupancyGrid::new_in(cells, side, side, 0.05, opaque(Pose2D::new(-5.0, -5.0, 0.1)))?;
+    CostMap::new_in(grid, buffers, opaque(CostParams::nav2()))
 }
 
 /// A scan of unknown geometry.

@@ -26,6 +26,7 @@ pub fn functions_not_named_in_the_probe() -> BTreeSet<String> {
     let called = |name: &str| {
         [
             format!(".{name}("),
+            format!(".{name}::<"),
             format!("::{name}("),
             format!("{name}(opaque"),
         ]
@@ -52,11 +53,16 @@ fn exported_functions(text: &str) -> impl Iterator<Item = String> {
         .map(|(name, _)| name.to_owned())
 }
 
+/// Functions that are public themselves, and those of public traits that are documented.
 fn public_functions(text: &str) -> impl Iterator<Item = String> {
-    text.lines().filter_map(|line| {
+    let (mut in_trait, mut hidden) = (false, false);
+    text.lines().filter_map(move |line| {
+        in_trait = line.starts_with("pub trait ") && !hidden || in_trait && line != "}";
         let line = line.trim_start();
-        let name = line
-            .strip_prefix("pub fn ")
+        let method = line.strip_prefix("fn ").filter(|_| in_trait && !hidden);
+        hidden = line == "#[doc(hidden)]" || hidden && line.starts_with("#[");
+        let name = method
+            .or(line.strip_prefix("pub fn "))
             .or(line.strip_prefix("pub const fn "))?;
         Some(
             name.chars()

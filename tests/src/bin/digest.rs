@@ -2,10 +2,12 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use horus_core::costmap::{CostBuffers, FieldCell};
+use horus_core::local::BufferSlot;
+use horus_core::prelude::{ScanBuffers, SensingState};
 use horus_tests::drive::{self, FarBuffers, LidarBuffers, NearBuffers};
 use horus_tests::report::{self, Line};
 use horus_tests::rt::hprintln;
-use horus_tests::{Once, c_drive};
+use horus_tests::{Once, c_distance, c_drive, c_local};
 
 horus_tests::start!(run);
 
@@ -54,7 +56,23 @@ fn all() -> Result<(), horus_core::Error> {
         &mut workspace,
         print,
     )?;
-    c_drive::run(&c_drive::far(), keep(far.split(), costs), &mut workspace, print)
+    c_drive::run(&c_drive::far(), keep(far.split(), costs), &mut workspace, print)?;
+    static DISTANCES: Once<c_distance::Storage> = Once::new(c_distance::Storage::empty());
+    // SAFETY: here only.
+    c_distance::run(unsafe { DISTANCES.take() }, print)?;
+    static SLOTS: Once<[BufferSlot; c_local::SLOTS]> = Once::new([BufferSlot::EMPTY; c_local::SLOTS]);
+    static FLOATS: Once<[f32; c_local::FLOATS]> = Once::new([0.0; c_local::FLOATS]);
+    static REAR: Once<ScanBuffers<{ c_local::BEAMS }, 0>> = Once::new(ScanBuffers::empty());
+    // SAFETY: here only.
+    let (slots, floats, rear) = unsafe { (SLOTS.take(), FLOATS.take(), REAR.take()) };
+    let mut workspaces = [workspace, rear.workspace()];
+    // Bytes that the other drives no longer need.
+    let bytes = near.split().1.field;
+    for scenario in &c_local::SCENARIOS {
+        let state = SensingState::new_in(slots, floats, bytes);
+        c_local::run(scenario, costs, state, &mut workspaces, print)?;
+    }
+    Ok(())
 }
 
 /// The same buffers, for a map that keeps its costs.

@@ -38,6 +38,11 @@ unsafe impl Plain for horus_cost_map_config {}
 pub(in crate::c_abi) struct AnyCostMap(&'static mut dyn Operations);
 
 impl AnyCostMap {
+    /// The map, to be changed.
+    pub(in crate::c_abi) fn operations(&mut self) -> &mut (dyn Operations + 'static) {
+        self.0
+    }
+
     /// The grid inside.
     pub(in crate::c_abi) fn grid(&self) -> &Grid {
         self.0.grid()

@@ -4,11 +4,12 @@ use crate::c_abi::geometry::horus_point;
 use crate::c_abi::grid::Grid;
 use crate::costmap::{CostMap, CostParams, CostUpdate, FieldCell, FootprintCost};
 use crate::error::Error;
-use crate::geometry::{CellRect, Pose2D};
+use crate::geometry::{CellRect, GridInfo, Pose2D};
 use crate::grid::{LaserScan, ScanModel, ScanReport, ScanWorkspace};
+use crate::local::Follower;
 
 /// [`CostMap`]'s methods, by their names.
-pub(super) trait Operations {
+pub(in crate::c_abi) trait Operations {
     fn grid(&self) -> &Grid;
     fn params(&self) -> &CostParams;
     fn set_params(&mut self, params: CostParams) -> Result<(), Error>;
@@ -28,6 +29,7 @@ pub(super) trait Operations {
         workspace: &mut ScanWorkspace<'_>,
     ) -> Result<ScanReport, Error>;
     fn recenter(&mut self, pose: Pose2D) -> Result<[i32; 2], Error>;
+    fn move_to(&mut self, offset: [i32; 2]);
     fn load(&mut self, values: &[i8]) -> Result<(), Error>;
     fn set_header(&mut self, frame_id: &str, timestamp_ns: u64);
     fn cost(&self, x: f32, y: f32) -> Option<u8>;
@@ -96,6 +98,10 @@ impl<F: FieldCell> Operations for CostMap<'static, F> {
         CostMap::recenter(self, pose)
     }
 
+    fn move_to(&mut self, offset: [i32; 2]) {
+        CostMap::move_to(self, offset);
+    }
+
     fn load(&mut self, values: &[i8]) -> Result<(), Error> {
         CostMap::load(self, values)
     }
@@ -125,5 +131,24 @@ impl<F: FieldCell> Operations for CostMap<'static, F> {
 
     fn footprint_cost(&self, pose: Pose2D, polygon: &[horus_point]) -> Result<FootprintCost, Error> {
         CostMap::footprint_cost(self, pose, polygon)
+    }
+}
+
+/// What a local map sets is set here, through the map's own functions.
+impl Follower for dyn Operations + 'static {
+    fn info(&self) -> &GridInfo {
+        self.grid().info()
+    }
+
+    fn cells(&self) -> &[i8] {
+        self.grid().data()
+    }
+
+    fn move_to(&mut self, offset: [i32; 2]) {
+        Operations::move_to(self, offset);
+    }
+
+    fn set_occupancy(&mut self, gx: u32, gy: u32, value: i8) {
+        Operations::set_occupancy(self, gx, gy, value);
     }
 }

@@ -113,15 +113,8 @@ impl<'a, const STRIDE: usize, const WORDS: usize> Bits<'a, STRIDE, WORDS> {
     fn enter(&mut self, sources: Bitmap<'_>, gy: i32) {
         let row = sources.row(gy);
         let radius = self.disc.radius;
-        let (left, here, right) = if row.is_empty() {
-            (0, 0, 0)
-        } else {
-            (
-                bits_at(row, self.x0 - 32),
-                bits_at(row, self.x0),
-                bits_at(row, self.x0 + 32),
-            )
-        };
+        // An empty row has no bits.
+        let [left, here, right] = [-32, 0, 32].map(|away| bits_at(row, self.x0 + away));
         let start = Self::slot(gy);
         let Some(words) = self.ring.get_mut(start..start + STRIDE) else {
             return;
@@ -206,7 +199,7 @@ impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'
             return 0;
         }
         let (first, last) = (gy - self.radius(), gy + self.radius());
-        for entering in first.max(self.next)..=last {
+        for entering in first.max(self.next)..last + 1 {
             self.enter(sources, entering);
         }
         self.next = last + 1;

@@ -17,13 +17,23 @@ impl Disc {
 
     /// For dy = 0, 1, ..., `radius`: the largest dx still in the disc.
     pub(crate) fn halves(self) -> impl Iterator<Item = u32> {
-        let mut half = self.radius;
-        (0..=self.radius).map(move |dy| {
-            while half * half + dy * dy > self.reach {
-                half -= 1; // ends at 0: dy <= radius
-            }
-            half
+        (0..=self.radius).scan(self.radius, move |half, dy| {
+            *half = self.half(dy * dy, *half);
+            Some(*half)
         })
+    }
+
+    /// The largest dx still in the disc, given dy^2, which must not exceed the reach; sought from
+    /// `near` on.
+    pub(crate) fn half(self, across: u32, near: u32) -> u32 {
+        let mut half = near;
+        while half * half + across > self.reach {
+            half -= 1; // ends at 0
+        }
+        while (half + 1).pow(2) + across <= self.reach {
+            half += 1;
+        }
+        half
     }
 
     /// Cells of the disc's bounding box, per axis.

@@ -1,8 +1,9 @@
 //! Recomputing the distance field from the source bits.
 //!
-//! Three kernels, equal to the bit: [`bits`] treats 32 cells as one word and is fastest on a core
-//! without vector instructions, up to 31 cells of radius; [`column`] serves larger radii there;
-//! [`lanes`] treats 32 cells as bytes, which a compiler vectorises.
+//! Four kernels, equal to the bit. On cores without vector instructions [`bits`] treats 32 cells as
+//! one word, up to 31 cells of radius, and [`column`] serves larger radii; with the feature `dsp`,
+//! `quads` treats four cells as one word where most of them are to be computed, up to 15 cells of
+//! radius. On other cores [`lanes`] treats 32 cells as bytes, which a compiler vectorises.
 
 pub(crate) mod bits;
 pub(crate) mod column;
@@ -32,7 +33,8 @@ pub(crate) trait Kernel<F> {
 
     /// Writes the exact field value of the cells of `row` that need it; `row` has at most
     /// [`LANES`](Self::LANES) cells, starts at column `x0` of row `gy`, and rows come in ascending
-    /// order. None of them is nearer to a source than `least` cells. Returns a bit per cell: set for all cells that needed it, perhaps for others.
+    /// order. The `u32` beside the need is a number of cells: none that needs it is nearer to a
+    /// source. Returns a bit per cell: set for all cells that needed it, perhaps for others.
     fn row(&mut self, sources: Bitmap<'_>, gy: i32, needed: (&Need<F>, u32), row: &mut [F]) -> u32;
 }
 

@@ -36,6 +36,7 @@ impl<F: FieldCell> Need<F> {
     }
 
     fn is_stale(&self) -> bool {
+        // Lanes of the third kind are squares or NONE; STALE (254, 65534) is no square.
         self.from[0] == F::STALE
     }
 

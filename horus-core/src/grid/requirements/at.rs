@@ -75,8 +75,8 @@ impl<G: LinearGrid2 + ?Sized> At<G> for usize {
     #[inline]
     fn cell(self, grid: &G) -> Option<Vector2<i32>> {
         let width = grid.width() as usize;
-        // The order: a grid without cells has no width to divide by.
-        (self < grid.size()).then(|| Vector2::new((self % width) as i32, (self / width) as i32))
+        let (x, y) = (self.checked_rem(width)?, self.checked_div(width)?);
+        (self < grid.size()).then_some(Vector2::new(x as i32, y as i32))
     }
 
     #[inline]

@@ -171,9 +171,10 @@ fn save(
     transparent: Option<horus_host::picture::Rgb>,
 ) -> anyhow::Result<PathBuf> {
     out.replace(name, |path| {
-        Ok(match transparent {
+        match transparent {
             Some(colour) => picture.save_with_transparent(path, colour)?,
             None => picture.save(path)?,
-        })
+        }
+        Ok(())
     })
 }

@@ -2,23 +2,7 @@
 #![no_std]
 #![no_main]
 
-use horus_core::costmap::bit_words;
-use horus_core::prelude::*;
-use horus_footprint::{in_bss, need, opaque, robot};
+use horus_footprint::robot;
 
 horus_footprint::start!(run);
-
-/// All that the map takes.
-type Storage = CostMapBuffers<{ 200 * 200 }, { bit_words(200, 200) }>;
-
-fn run() {
-    let storage = in_bss!(Storage, Storage::empty());
-    let beams = in_bss!(ScanBuffers<360, 0>, ScanBuffers::empty());
-    let ranges = opaque(in_bss!([f32; 360], [0.0; 360]));
-    need(robot::drive(
-        storage.split(),
-        &mut beams.workspace(),
-        ranges,
-        opaque(200),
-    ));
-}
+horus_footprint::run_cost_map!(robot::drive, 200, u8, 512, 0);

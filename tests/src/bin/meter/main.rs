@@ -7,8 +7,11 @@
 mod bench;
 mod case;
 mod cost_map;
+mod distance;
 mod grid;
+mod local;
 mod occupied;
+mod rays;
 mod targets;
 mod tick;
 
@@ -58,6 +61,8 @@ fn all(bench: &mut Bench<'_>) -> Result<(), horus_core::Error> {
     let arena = unsafe { ARENA.take() };
 
     grid::run(arena.zeroed::<[i8; 200 * 200]>(), bench)?;
+    let (cells, state) = arena.zeroed::<([u8; 200 * 200], local::State)>();
+    local::run((cells, state), bench)?;
     for case in [case::R11, case::R15] {
         cost_map::run(&case, arena.zeroed::<Near>().split(), bench)?;
         tick::run(&case, arena.zeroed::<Near>().split(), bench)?;
@@ -68,5 +73,9 @@ fn all(bench: &mut Bench<'_>) -> Result<(), horus_core::Error> {
     cost_map::run(&case::R11_KEPT, (cells, buffers), bench)?;
     cost_map::run(&case::R20, arena.zeroed::<Middle>().split(), bench)?;
     tick::run(&case::R20, arena.zeroed::<Middle>().split(), bench)?;
-    cost_map::run(&case::R40, arena.zeroed::<Far>().split(), bench)
+    cost_map::run(&case::R40, arena.zeroed::<Far>().split(), bench)?;
+    rays::run(arena.zeroed::<[i8; 200 * 200]>(), bench)?;
+    distance::run::<u16>("128x128 u16", arena.zeroed(), bench)?;
+    distance::run::<i16>("128x128 i16, signed", arena.zeroed(), bench)?;
+    distance::run::<u32>("128x128 u32", arena.zeroed(), bench)
 }

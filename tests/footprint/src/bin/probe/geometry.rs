@@ -13,7 +13,7 @@ pub fn call() {
         GridInfo::new(opaque(8), opaque(9), opaque(0.05), pose).unwrap_or_default(),
     ] {
         need((info.resolution(), info.width(), info.height(), info.cells()));
-        need((info.offset(), info.origin(), info.first_origin()));
+        need((info.offset(), info.origin(), info.first_origin(), info.isometry()));
         need(info.index(opaque(3), opaque(4)));
         need(info.world_to_grid(opaque(1.0), opaque(2.0)));
         need(info.grid_to_world(opaque(1), opaque(2)));

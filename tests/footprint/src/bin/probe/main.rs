@@ -7,13 +7,16 @@
 #![no_main]
 
 mod cost_map;
+mod distance;
 mod frames;
 #[cfg(feature = "c-abi")]
 mod from_c;
 mod geometry;
 mod grid;
+mod local;
 #[cfg(feature = "defmt")]
 mod logged;
+mod requirements;
 #[cfg(feature = "serde")]
 mod serialised;
 
@@ -43,6 +46,8 @@ fn run() {
     geometry::call();
     grid::call(grid, ranges, &mut workspace);
     grid::view(opaque(grid.data()));
+    requirements::call(opaque(grid));
+    distance::call(opaque(grid));
     let (cells, mut buffers) = near.split();
     buffers.costs = opaque(Some(&mut costs[..]));
     let frame = opaque(in_bss!([u8; 512], [0; 512]));
@@ -51,6 +56,8 @@ fn run() {
     cost_map::call((opaque(cells), buffers), ranges, &mut workspace, frame);
     frames::read(frame, opaque(&mut [0; 12]));
     cost_map::tables();
+    let map = in_bss!([u8; CELLS], [0; CELLS]);
+    local::call(opaque(map), ranges);
     #[cfg(feature = "c-abi")]
     from_c::call();
     #[cfg(feature = "defmt")]

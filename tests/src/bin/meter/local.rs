@@ -1,0 +1,97 @@
+//! The local map: updates of a driving robot, and the cost map that follows.
+
+use horus_core::Error;
+use horus_core::prelude::*;
+use horus_tests::meter::Stat;
+use horus_tests::workload::{BEAMS, RESOLUTION, robot};
+
+use crate::bench::Bench;
+
+const SIDE: u32 = 200;
+pub const SETTING: &str = "200x200 local";
+/// Updates; the first computes the beams' directions and is not counted.
+const TICKS: u32 = 40;
+/// Updates with a move by one cell along each axis.
+const MOVES: i32 = 5;
+
+/// Named buffers of one lidar.
+pub type State = SensingBuffers<5, { BEAMS + 6 }, 0>;
+
+pub fn run((cells, buffers): (&mut [u8; 200 * 200], &mut State), bench: &mut Bench<'_>) -> Result<(), Error> {
+    let Bench {
+        meter,
+        table,
+        beams,
+        lidar: sensor,
+        office,
+        ..
+    } = bench;
+    let scan = sensor.measure(office, 0);
+    let lidars = [Lidar {
+        name: "lidar",
+        mount: Pose2D::default(),
+        start_angle: scan.angle_min,
+        fov: scan.angle_increment * (BEAMS - 1) as f32,
+        max_range: scan.range_max,
+    }];
+    let config = LocalGridMapConfig {
+        width: SIDE,
+        height: SIDE,
+        resolution: RESOLUTION,
+        radius: 0.2,
+        lidars: &lidars,
+        ..LocalGridMapConfig::default()
+    };
+    let mut map = None;
+    let (done, cost) =
+        meter.measure(|| LocalGridMap::new_in(&mut cells[..], config).map(|made| map = Some(made)));
+    table.row(SETTING, "LocalGridMap::new_in", cost);
+    done?;
+    let Some(mut map) = map else { return Ok(()) };
+    let [lidar] = lidars;
+    let mut state = buffers.state();
+    lidar.prepare(&mut state, BEAMS)?;
+    let mut workspaces = [beams.workspace()];
+
+    let (mut write, mut update) = (Stat::default(), Stat::default());
+    for tick in 0..TICKS {
+        let scan = sensor.measure(office, tick);
+        let (done, cost) = meter.measure(|| lidar.write(&mut state, scan.ranges));
+        done?;
+        write.add(cost);
+        let (done, cost) = meter.measure(|| map.update(&state, robot(tick), &mut workspaces));
+        done?;
+        if tick > 0 {
+            update.add(cost);
+        } else {
+            table.row(SETTING, "update, far, beam directions included", cost);
+        }
+    }
+    table.row(SETTING, "Lidar::write", write);
+    table.row(SETTING, "update, moving", update);
+
+    for (axis, name) in [
+        ([1, 0], "update, one cell in x"),
+        ([0, 1], "update, one cell in y"),
+    ] {
+        let mut update = Stat::default();
+        for direction in [1, -1] {
+            for _ in 0..MOVES {
+                let by = axis.map(|axis: i32| axis * direction);
+                let [x, y] = map.origin();
+                let centre = |corner: f32, by: i32| corner + (SIDE as f32 * 0.5 + by as f32) * RESOLUTION;
+                let pose = Pose2D::new(centre(x, by[0]), centre(y, by[1]), 0.1);
+                let (done, cost) = meter.measure(|| map.update(&state, pose, &mut workspaces));
+                assert_eq!(done?.shift, by);
+                update.add(cost);
+            }
+        }
+        table.row(SETTING, name, update);
+    }
+    let pose = map.origin().map(|corner| corner + SIDE as f32 * 0.5 * RESOLUTION);
+    let pose = Pose2D::new(pose[0], pose[1], 0.1);
+    let (done, cost) = meter.measure(|| map.update(&state, pose, &mut workspaces));
+    assert_eq!(done?.shift, [0, 0]);
+    table.row(SETTING, "update, standing", cost);
+    Ok(())
+}
