@@ -10,11 +10,15 @@
 //! | [`tf`] | the transforms of a log, interpolated at any recorded time |
 //! | [`sim`] | a made-up building with a robot and a lidar: input that needs no files |
 //! | [`picture`] | PNG pictures and small character windows of grids |
+//! | [`map_server`] | maps as nav2's `map_server` files: YAML with a PGM or PNG image |
+//! | [`topic`] | live data between processes over shared memory |
+//! | [`yaml`] | YAML files, with positions in errors |
 //! | [`prelude`] | the names a program needs to use the std version |
 //!
 //! [`mod@reference`], [`log`], [`tf`], [`sim`] and [`picture`] know nothing of each other and nothing
-//! of the core; [`navground`] uses `horus-core`; [`lockstep`] uses [`mod@reference`], [`picture`] and `horus-core`; [`frames`] uses
-//! [`lockstep`] and `horus-core`; the command line `horus-host` uses all of them.
+//! of the core; [`map_server`] uses [`yaml`]; [`topic`] and [`navground`] use `horus-core`;
+//! [`lockstep`] uses [`mod@reference`], [`picture`] and `horus-core`; [`frames`] uses [`lockstep`] and
+//! `horus-core`; the command line `horus-host` uses all of them.
 //!
 //! Frames and units everywhere: SI, REP 103 axes, REP 105 frames, REP 117 ranges, radians
 //! counter-clockwise; times are nanoseconds and end in `_ns`.
@@ -23,9 +27,12 @@ pub mod frames;
 mod grid_traits;
 pub mod lockstep;
 pub mod log;
+pub mod map_server;
 pub mod navground;
 pub mod picture;
 pub mod prelude;
 pub mod reference;
 pub mod sim;
 pub mod tf;
+pub mod topic;
+pub mod yaml;

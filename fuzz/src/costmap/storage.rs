@@ -1,5 +1,5 @@
-use horus_core::costmap::{FieldCell, bit_words, scratch_words};
-use horus_core::prelude::{CostBuffers, CostMapBuffers};
+use horus_core::costmap::{CostTables, FieldCell, bit_words, scratch_words};
+use horus_core::prelude::CostBuffers;
 
 /// A field cell, with what the targets need to know of it.
 pub trait Width: FieldCell {
@@ -7,24 +7,16 @@ pub trait Width: FieldCell {
     const CELLS: u32;
     /// Cells that a full-scale radius means.
     const RADIUS_SCALE: f32;
-    /// Tables for one map.
-    fn tables() -> Box<CostMapBuffers<0, 0, Self, 0>>;
 }
 
 impl Width for u8 {
     const CELLS: u32 = 480;
     const RADIUS_SCALE: f32 = 16.5;
-    fn tables() -> Box<CostMapBuffers<0, 0, u8, 0>> {
-        Box::new(CostMapBuffers::<0, 0, u8, 0>::empty())
-    }
 }
 
 impl Width for u16 {
     const CELLS: u32 = 300;
     const RADIUS_SCALE: f32 = 42.0;
-    fn tables() -> Box<CostMapBuffers<0, 0, u16, 0>> {
-        Box::new(CostMapBuffers::<0, 0, u16, 0>::empty())
-    }
 }
 
 /// All memory of one core cost map, exactly as long as needed and filled with garbage.
@@ -34,7 +26,7 @@ pub struct Storage<F: Width> {
     bits: Vec<u32>,
     scratch: Vec<u32>,
     costs: Option<Vec<u8>>,
-    tables: Box<CostMapBuffers<0, 0, F, 0>>,
+    tables: Box<CostTables<F>>,
 }
 
 impl<F: Width> Storage<F> {
@@ -49,7 +41,7 @@ impl<F: Width> Storage<F> {
             bits: vec![words; bit_words(width, height)],
             scratch: vec![words; scratch_words(radius)],
             costs: keep.then(|| vec![garbage; cells]),
-            tables: F::tables(),
+            tables: Box::new(CostTables::EMPTY),
         }
     }
 
@@ -60,7 +52,7 @@ impl<F: Width> Storage<F> {
             field: &mut self.field,
             scratch: &mut self.scratch,
             costs: self.costs.as_deref_mut(),
-            tables: self.tables.split().1.tables,
+            tables: &mut self.tables,
         };
         (&mut self.cells, buffers)
     }

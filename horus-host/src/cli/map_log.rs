@@ -4,11 +4,8 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use horus_host::lockstep::Layers;
-use horus_host::log::msg::{
-    Costmap, CostmapMetaData, Header, MapMetaData, OccupancyGrid, Pose, TFMessage, Time, Transform,
-    TransformStamped,
-};
-use horus_host::log::{LogWriter, cost_to_viewable};
+use horus_host::log::LogWriter;
+use horus_host::log::msg::{Header, TFMessage, Transform, TransformStamped};
 use horus_host::tf::Pose2;
 
 use super::map_geometry::MapGeometry;
@@ -135,44 +132,12 @@ impl MapLog {
 
     fn write_maps(&mut self, stamp_ns: u64, layers: &Layers) -> Result<(), horus_host::log::LogError> {
         let header = Header::new(stamp_ns, &self.frames.odom);
-        let origin = self.map.corner(layers.offset);
-        let origin = Pose::planar(origin.x, origin.y, origin.yaw);
-        let MapGeometry {
-            width,
-            height,
-            resolution,
-            lethal_cost: lethal,
-            ..
-        } = self.map;
-        let map = |data: Vec<i8>| OccupancyGrid {
-            header: header.clone(),
-            info: MapMetaData {
-                map_load_time: Time::default(),
-                resolution,
-                width,
-                height,
-                origin,
-            },
-            data,
-        };
-        self.writer
-            .write("/local_map", stamp_ns, &map(layers.occupancy.clone()))?;
-        let viewable = layers.costs.iter().map(|&cost| cost_to_viewable(cost, lethal));
-        self.writer
-            .write("/costmap", stamp_ns, &map(viewable.collect()))?;
-        let exact = Costmap {
-            metadata: CostmapMetaData {
-                map_load_time: Time::default(),
-                update_time: header.stamp,
-                layer: "master".to_owned(),
-                resolution,
-                size_x: width,
-                size_y: height,
-                origin,
-            },
-            header,
-            data: layers.costs.clone(),
-        };
+        let map = self.map.at(layers.offset);
+        let occupancy = map.occupancy_grid(header.clone(), layers.occupancy.clone());
+        self.writer.write("/local_map", stamp_ns, &occupancy)?;
+        let viewable = map.viewable(header.clone(), &layers.costs);
+        self.writer.write("/costmap", stamp_ns, &viewable)?;
+        let exact = map.costmap(header, layers.costs.clone());
         self.writer.write("/costmap_raw", stamp_ns, &exact)
     }
 }

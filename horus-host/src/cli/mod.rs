@@ -3,9 +3,15 @@
 //! Exit codes: 0 everything equal or recorded, 1 a mismatch, a difference or a loss, 2 bad input or
 //! usage, with one sentence on standard error.
 
+mod bridge;
 mod byte_source;
 mod compare;
+mod cost_options;
 mod demo;
+mod difference;
+mod grid_picture;
+mod info;
+mod map;
 mod map_geometry;
 mod map_kind;
 mod map_log;
@@ -14,6 +20,7 @@ mod out_dir;
 mod progress;
 mod record;
 mod recording;
+mod render;
 mod replay;
 mod report;
 mod session;
@@ -21,6 +28,7 @@ mod skipped;
 mod step;
 mod summary;
 mod survey;
+mod value_grid;
 mod verdict;
 
 use std::process::ExitCode;
@@ -48,6 +56,11 @@ pub fn run() -> ExitCode {
         Command::Replay(options) => replay::run(options),
         Command::Compare(options) => compare::run(options),
         Command::Record(options) => record::run(options),
+        Command::Map(options) => map::run(options),
+        Command::Pub(options) => bridge::publish(options),
+        Command::Sub(options) => bridge::subscribe(options),
+        Command::Info(options) => info::run(options),
+        Command::Render(options) => render::run(options),
     };
     match result {
         Ok(verdict) => verdict.into(),
@@ -76,6 +89,16 @@ enum Command {
     Compare(compare::CompareOptions),
     /// Record the frames of a target (serial device, file or standard input) as a log
     Record(record::RecordOptions),
+    /// Publish a log over shared memory, topic by topic
+    Pub(bridge::PublishOptions),
+    /// Record what is published over shared memory as a log
+    Sub(bridge::SubscribeOptions),
+    /// Tell what is in a log: topics, rates, grids, parameters
+    Info(info::InfoOptions),
+    /// Paint the grids of a log, with scan and robot, as PNG frames
+    Render(render::RenderOptions),
+    /// Turn a nav2 map_server file into costs and distances, or save a map as one
+    Map(map::MapOptions),
 }
 
 const EXAMPLES: &str = "\
@@ -88,5 +111,11 @@ Examples:
   horus-host replay drive.mcap --map local --config map.yaml --out out
   horus-host compare out/core.mcap out/std.mcap
   horus-host record /dev/ttyACM0 --baud 921600 --out target.mcap
+  horus-host compare a.mcap b.mcap --tolerance /distance=0.01 --diff diff.mcap --picture first.png
+  horus-host info out/core.mcap
+  horus-host sub --out live.mcap & horus-host pub drive.mcap --wait 1
+  horus-host render out/core.mcap --topic /costmap_raw --every 10 --against out/std.mcap
+  horus-host map warehouse.yaml --radius 0.4 --out out
+  horus-host map save out/core.mcap room.yaml --topic /local_map
 
 Exit codes: 0 everything equal or recorded, 1 a mismatch or a loss, 2 bad input or usage.";

@@ -32,7 +32,7 @@ impl OutDir {
         for name in names {
             if self.file(name).canonicalize().is_ok_and(|output| output == input) {
                 bail!(
-                    "{}: the log to replay would be overwritten by its own results",
+                    "{}: the input would be overwritten by its own results",
                     input.display()
                 );
             }

@@ -19,3 +19,13 @@ pub fn ticks() -> ProgressBar {
     let style = ProgressStyle::with_template("{spinner} {pos} ticks in {elapsed}, {msg}; Ctrl-C ends");
     ProgressBar::new_spinner().with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()))
 }
+
+/// A progress bar over the `rows` of a map and what is done with them, on standard error, hidden
+/// unless that is a terminal.
+pub fn rows(rows: u64) -> ProgressBar {
+    if !stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {msg}, {elapsed}");
+    ProgressBar::new(rows).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

@@ -21,7 +21,7 @@ pub const LOG_NAMES: [&str; 2] = ["core.mcap", "std.mcap"];
 /// Pictures are enlarged up to this many pixels on their longer side.
 const PICTURE_SIZE: u32 = 800;
 /// Colour and radius (in metres) of the robot in pictures.
-const ROBOT: (Rgb<u8>, f64) = (Rgb([0, 0xa0, 0x40]), 0.15);
+const ROBOT: (Rgb, f64) = (Rgb([0, 0xa0, 0x40]), 0.15);
 
 /// A lockstep run over scans from anywhere, and where its results go.
 pub struct Session<'a> {

@@ -1,4 +1,4 @@
-use horus_core::costmap::FieldCell;
+use horus_core::costmap::{CostTables, FieldCell};
 use horus_core::prelude::{
     CostBuffers, CostMap, Error, LaserScan, LocalGridMap, OccupancyGrid, Pose2D, ScanModel, ScanReport,
     ScanWorkspace,
@@ -18,43 +18,22 @@ pub(super) struct CoreSide<'a> {
 }
 
 impl<'a> CoreSide<'a> {
-    pub fn new(config: &LockstepConfig, storage: &'a mut CoreStorage) -> Result<Self, LockstepError> {
+    /// A map whose corner lies at `origin`.
+    pub fn new(
+        config: &LockstepConfig,
+        origin: Pose2D,
+        storage: &'a mut CoreStorage,
+    ) -> Result<Self, LockstepError> {
         let LockstepConfig { width, height, .. } = *config;
-        let grid = OccupancyGrid::new_in(
-            &mut storage.cells[..],
-            width,
-            height,
-            config.resolution,
-            config.origin(),
-        )?;
-        let (bits, scratch, costs) = (
-            &mut storage.bits[..],
-            &mut storage.scratch[..],
-            storage.costs.as_deref_mut(),
-        );
-        let map: Box<dyn CoreMap + 'a> = match &mut storage.field {
-            FieldStorage::One(field, tables) => {
-                let tables = tables.split().1.tables;
-                let buffers = CostBuffers {
-                    bits,
-                    field,
-                    scratch,
-                    costs,
-                    tables,
-                };
-                Box::new(CostMap::new_in(grid, buffers, config.params)?)
-            }
-            FieldStorage::Two(field, tables) => {
-                let tables = tables.split().1.tables;
-                let buffers = CostBuffers {
-                    bits,
-                    field,
-                    scratch,
-                    costs,
-                    tables,
-                };
-                Box::new(CostMap::new_in(grid, buffers, config.params)?)
-            }
+        let grid = OccupancyGrid::new_in(&mut storage.cells[..], width, height, config.resolution, origin)?;
+        let rest = Buffers {
+            bits: &mut storage.bits,
+            scratch: &mut storage.scratch,
+            costs: storage.costs.as_deref_mut(),
+        };
+        let map = match &mut storage.field {
+            FieldStorage::One(field, tables) => rest.map(grid, field, tables, config)?,
+            FieldStorage::Two(field, tables) => rest.map(grid, field, tables, config)?,
         };
         let beams = storage.beams.len();
         let local = match (config.local_config(), &mut storage.local) {
@@ -98,6 +77,45 @@ impl<'a> CoreSide<'a> {
     pub fn read(&self, layers: &mut Layers) {
         self.map.read(layers);
     }
+
+    pub fn load(&mut self, cells: &[i8]) -> Result<(), Error> {
+        self.map.load(cells)
+    }
+
+    pub fn occupancy(&self) -> &[i8] {
+        self.map.occupancy()
+    }
+
+    pub fn read_row(&self, gy: u32, costs: &mut [u8]) {
+        self.map.read_row(gy, costs);
+    }
+}
+
+/// What a cost map borrows whatever the type of its field.
+struct Buffers<'a> {
+    bits: &'a mut [u32],
+    scratch: &'a mut [u32],
+    costs: Option<&'a mut [u8]>,
+}
+
+impl<'a> Buffers<'a> {
+    fn map<F: FieldCell>(
+        self,
+        grid: OccupancyGrid<&'a mut [i8]>,
+        field: &'a mut [F],
+        tables: &'a mut CostTables<F>,
+        config: &LockstepConfig,
+    ) -> Result<Box<dyn CoreMap + 'a>, Error> {
+        let Self { bits, scratch, costs } = self;
+        let buffers = CostBuffers {
+            bits,
+            field,
+            scratch,
+            costs,
+            tables,
+        };
+        Ok(Box::new(CostMap::new_in(grid, buffers, config.params)?))
+    }
 }
 
 /// A core cost map with the type of its field erased.
@@ -113,6 +131,9 @@ trait CoreMap {
     fn follow(&mut self, local: &LocalGridMap<'_, &mut [u8]>) -> Result<(), Error>;
     fn update_costs(&mut self);
     fn read(&self, layers: &mut Layers);
+    fn load(&mut self, cells: &[i8]) -> Result<(), Error>;
+    fn occupancy(&self) -> &[i8];
+    fn read_row(&self, gy: u32, costs: &mut [u8]);
 }
 
 impl<F: FieldCell> CoreMap for CostMap<'_, F> {
@@ -146,6 +167,20 @@ impl<F: FieldCell> CoreMap for CostMap<'_, F> {
         match self.costs() {
             Some(costs) => layers.costs.extend_from_slice(costs),
             None => (0..self.info().height()).for_each(|gy| layers.costs.extend(self.row(gy))),
+        }
+    }
+
+    fn load(&mut self, cells: &[i8]) -> Result<(), Error> {
+        CostMap::load(self, cells)
+    }
+
+    fn occupancy(&self) -> &[i8] {
+        self.occupancy_grid().data()
+    }
+
+    fn read_row(&self, gy: u32, costs: &mut [u8]) {
+        for (cost, value) in costs.iter_mut().zip(self.row(gy)) {
+            *cost = value;
         }
     }
 }

@@ -29,7 +29,7 @@ impl<'a> Lockstep<'a> {
         config.validate()?;
         Ok(Self {
             config: *config,
-            core: CoreSide::new(config, storage)?,
+            core: CoreSide::new(config, config.origin(), storage)?,
             std: StdSide::new(config)?,
             core_layers: Layers::new(config.cells()),
             std_layers: Layers::new(config.cells()),

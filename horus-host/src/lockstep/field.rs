@@ -1,4 +1,4 @@
-use horus_core::costmap::{CostMapBuffers, FieldCell, scratch_words};
+use horus_core::costmap::{CostTables, FieldCell, scratch_words};
 use horus_core::prelude::{CostBuffers, CostMap, Error, OccupancyGrid, Pose2D};
 
 use super::{LockstepConfig, LockstepError};
@@ -44,32 +44,16 @@ impl FieldWidth {
     }
 }
 
-/// A field cell whose tables can be made outside the core: those of a storage for no cells.
-pub(super) trait TableCell: FieldCell {
-    fn tables() -> CostMapBuffers<0, 0, Self, 0>;
-}
-
-impl TableCell for u8 {
-    fn tables() -> CostMapBuffers<0, 0, Self, 0> {
-        CostMapBuffers::<0, 0, Self, 0>::empty()
-    }
-}
-
-impl TableCell for u16 {
-    fn tables() -> CostMapBuffers<0, 0, Self, 0> {
-        CostMapBuffers::<0, 0, Self, 0>::empty()
-    }
-}
-
 /// The reach of the costs in cells, from a cost map without cells.
-fn effective_radius<F: TableCell>(config: &LockstepConfig) -> Result<u32, Error> {
-    let mut tables = F::tables();
-    let mut scratch = vec![0; most_scratch()];
-    let (cells, buffers) = tables.split();
-    let grid = OccupancyGrid::new_in(cells, 0, 0, config.resolution, Pose2D::default())?;
+fn effective_radius<F: FieldCell>(config: &LockstepConfig) -> Result<u32, Error> {
+    let grid = OccupancyGrid::new_in(&mut [][..], 0, 0, config.resolution, Pose2D::default())?;
+    let mut tables = CostTables::<F>::EMPTY;
     let buffers = CostBuffers {
-        scratch: &mut scratch,
-        ..buffers
+        bits: &mut [],
+        field: &mut [],
+        scratch: &mut vec![0; most_scratch()],
+        costs: None,
+        tables: &mut tables,
     };
     Ok(CostMap::new_in(grid, buffers, config.params)?.effective_radius())
 }

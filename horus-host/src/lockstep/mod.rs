@@ -4,7 +4,8 @@
 //! the frame of the map, rounded to f32 once. Both sides move their window, integrate the scan and
 //! update their costs, each timed on its own; then window, scan report, occupancy and cost of every
 //! cell are compared. The field type of the core follows from the parameters ([`FieldWidth`]), its
-//! memory lies in a [`CoreStorage`] that is allocated once.
+//! memory lies in a [`CoreStorage`] that is allocated once. A [`FixedMap`] is the core's side alone,
+//! for a map that is given and stays where it is.
 //!
 //! # Examples
 //! ```
@@ -34,6 +35,7 @@ mod core_side;
 mod engine;
 mod error;
 mod field;
+mod fixed_map;
 mod layers;
 mod local;
 mod mismatch;
@@ -48,6 +50,7 @@ pub use config::{LocalMapping, LockstepConfig};
 pub use engine::Lockstep;
 pub use error::LockstepError;
 pub use field::FieldWidth;
+pub use fixed_map::FixedMap;
 pub use layers::Layers;
 pub use mismatch::{Layer, Mismatch};
 pub use ram::RamUse;

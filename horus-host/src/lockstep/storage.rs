@@ -1,11 +1,10 @@
 use std::mem::{size_of, size_of_val};
 
-use horus_core::costmap::{CostMapBuffers, CostTables, bit_words, scratch_words};
+use horus_core::costmap::{CostTables, bit_words, scratch_words};
 use horus_core::local::BufferSlot;
 use horus_core::prelude::{BeamSlot, CostMap, LocalGridMap, ScanModel, ScanWorkspace, SensingState};
 use horus_core::storage::bitmap_words;
 
-use super::field::TableCell;
 use super::{FieldWidth, LockstepConfig, LockstepError, RamUse};
 
 /// All memory of the core side, allocated once and borrowed by [`Lockstep`](super::Lockstep).
@@ -45,8 +44,8 @@ impl LocalStorage {
 /// Distance field and tables, of the type the parameters need.
 #[derive(Debug)]
 pub(super) enum FieldStorage {
-    One(Vec<u8>, Box<CostMapBuffers<0, 0, u8, 0>>),
-    Two(Vec<u16>, Box<CostMapBuffers<0, 0, u16, 0>>),
+    One(Vec<u8>, Box<CostTables<u8>>),
+    Two(Vec<u16>, Box<CostTables<u16>>),
 }
 
 impl CoreStorage {
@@ -63,8 +62,8 @@ impl CoreStorage {
             ScanModel::Accumulate { .. } => bitmap_words(config.width, config.height),
         };
         let field = match width {
-            FieldWidth::One => FieldStorage::One(filled(0, cells, config)?, Box::new(u8::tables())),
-            FieldWidth::Two => FieldStorage::Two(filled(0, cells, config)?, Box::new(u16::tables())),
+            FieldWidth::One => FieldStorage::One(filled(0, cells, config)?, Box::new(CostTables::EMPTY)),
+            FieldWidth::Two => FieldStorage::Two(filled(0, cells, config)?, Box::new(CostTables::EMPTY)),
         };
         Ok(Self {
             cells: filled(0, cells, config)?,

@@ -58,6 +58,6 @@ pub enum PictureError {
         /// The file.
         path: PathBuf,
         /// The reason.
-        source: image::ImageError,
+        source: png::EncodingError,
     },
 }

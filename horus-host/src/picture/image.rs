@@ -1,10 +1,10 @@
 //! Painted grids.
 
+use std::fs::File;
+use std::io::BufWriter;
 use std::path::Path;
 
-use image::{ImageFormat, Rgb, RgbImage};
-
-use super::{Cells, PictureError, palette};
+use super::{Cells, PictureError, Pixels, Rgb, palette};
 
 /// The largest picture painted: 768 MiB of colour.
 const MOST_PIXELS: u64 = 1 << 28;
@@ -12,7 +12,7 @@ const MOST_PIXELS: u64 = 1 << 28;
 /// A painted grid; row 0 of the grid is at the bottom.
 #[derive(Debug, Clone)]
 pub struct Picture {
-    image: RgbImage,
+    image: Pixels,
     scale: u32,
 }
 
@@ -27,16 +27,18 @@ impl Picture {
     pub fn paint<T: Copy>(
         cells: Cells<'_, T>,
         scale: u32,
-        palette: impl Fn(T) -> Rgb<u8>,
+        palette: impl Fn(T) -> Rgb,
     ) -> Result<Self, PictureError> {
         let mut picture = Self::blank(cells.width(), cells.height(), scale)?;
-        let mut pixels = picture.image.pixels_mut();
-        for row in cells.rows().rev() {
-            let colours: Vec<_> = row.iter().map(|&value| palette(value)).collect();
-            for _ in 0..scale {
-                for &colour in &colours {
-                    for pixel in pixels.by_ref().take(scale as usize) {
-                        *pixel = colour;
+        {
+            let mut pixels = picture.image.iter_mut();
+            for row in cells.rows().rev() {
+                let colours: Vec<_> = row.iter().map(|&value| palette(value)).collect();
+                for _ in 0..scale {
+                    for &colour in &colours {
+                        for pixel in pixels.by_ref().take(scale as usize) {
+                            *pixel = colour;
+                        }
                     }
                 }
             }
@@ -69,7 +71,7 @@ impl Picture {
     /// Colours the pixels around a point as a square of `2 * radius + 1` pixels, such as the end
     /// of a beam. The point is in cells: (0.5, 0.5) is the centre of the lowest left cell.
     /// What lies outside the picture is left out; a point that is not finite draws nothing.
-    pub fn mark_point(&mut self, gx: f64, gy: f64, radius: u32, colour: Rgb<u8>) {
+    pub fn mark_point(&mut self, gx: f64, gy: f64, radius: u32, colour: Rgb) {
         let radius = f64::from(radius);
         let Some((x, y)) = self.pixel(gx, gy) else {
             return;
@@ -79,7 +81,7 @@ impl Picture {
 
     /// Draws a robot as a filled disc with a heading line of twice its radius. Position and radius
     /// are in cells, the yaw in radians, counter-clockwise from +x. Not finite: draws nothing.
-    pub fn mark_robot(&mut self, gx: f64, gy: f64, yaw: f64, radius: f64, colour: Rgb<u8>) {
+    pub fn mark_robot(&mut self, gx: f64, gy: f64, yaw: f64, radius: f64, colour: Rgb) {
         let Some((x, y)) = self.pixel(gx, gy) else {
             return;
         };
@@ -102,7 +104,7 @@ impl Picture {
     }
 
     /// The pixels, the top row first.
-    pub fn image(&self) -> &RgbImage {
+    pub fn image(&self) -> &Pixels {
         &self.image
     }
 
@@ -111,21 +113,46 @@ impl Picture {
     /// # Errors
     /// [`PictureError::Write`], which names the path.
     pub fn save(&self, path: &Path) -> Result<(), PictureError> {
-        self.image
-            .save_with_format(path, ImageFormat::Png)
-            .map_err(|source| PictureError::Write {
-                path: path.to_path_buf(),
-                source,
-            })
+        self.write(path, None)
     }
 
-    fn blank(width: u32, height: u32, scale: u32) -> Result<Self, PictureError> {
+    /// Writes the picture as [`save`](Self::save) does, with one colour transparent.
+    ///
+    /// # Errors
+    /// [`PictureError::Write`], which names the path.
+    pub fn save_with_transparent(&self, path: &Path, colour: Rgb) -> Result<(), PictureError> {
+        self.write(path, Some(colour))
+    }
+
+    fn write(&self, path: &Path, transparent: Option<Rgb>) -> Result<(), PictureError> {
+        let write = || -> Result<(), png::EncodingError> {
+            let file = BufWriter::new(File::create(path)?);
+            let mut encoder = png::Encoder::new(file, self.image.width(), self.image.height());
+            encoder.set_color(png::ColorType::Rgb);
+            if let Some(colour) = transparent {
+                encoder.set_trns(colour.0.map(|channel| [0, channel]).concat());
+            }
+            let mut writer = encoder.write_header()?;
+            writer.write_image_data(&self.image.to_bytes())?;
+            writer.finish()
+        };
+        write().map_err(|source| PictureError::Write {
+            path: path.to_path_buf(),
+            source,
+        })
+    }
+
+    pub(super) fn image_mut(&mut self) -> &mut Pixels {
+        &mut self.image
+    }
+
+    pub(super) fn blank(width: u32, height: u32, scale: u32) -> Result<Self, PictureError> {
         let scaled = |cells: u32| cells.checked_mul(scale).filter(|&pixels| pixels > 0);
         scaled(width)
             .zip(scaled(height))
             .filter(|&(x, y)| u64::from(x) * u64::from(y) <= MOST_PIXELS)
             .map(|(x, y)| Self {
-                image: RgbImage::new(x, y),
+                image: Pixels::new(x, y, Rgb::default()),
                 scale,
             })
             .ok_or(PictureError::BadScale {
@@ -145,13 +172,13 @@ impl Picture {
     }
 
     /// Colours the pixels of a closed rectangle that lie in the picture.
-    fn fill(&mut self, left: f64, top: f64, right: f64, bottom: f64, colour: Rgb<u8>) {
+    fn fill(&mut self, left: f64, top: f64, right: f64, bottom: f64, colour: Rgb) {
         // Float to integer conversion saturates, so what lies left of or above 0 starts at 0, and
         // ends before it where the end is negative too.
         let end = |last: f64, size: u32| (last + 1.0).min(f64::from(size)) as u32;
         for y in top as u32..end(bottom, self.image.height()) {
             for x in left as u32..end(right, self.image.width()) {
-                self.image.put_pixel(x, y, colour);
+                self.image.set(x, y, colour);
             }
         }
     }

@@ -9,18 +9,21 @@ mod ascii;
 mod cells;
 mod error;
 mod image;
+mod indexed;
 pub mod palette;
+mod pixels;
+mod strip;
 #[cfg(test)]
 mod tests;
 
 use std::path::Path;
 
-pub use ::image::Rgb;
-
 pub use self::ascii::ascii_window;
 pub use self::cells::Cells;
 pub use self::error::PictureError;
 pub use self::image::Picture;
+pub use self::indexed::indexed_png;
+pub use self::pixels::{Pixels, Rgb};
 
 /// Writes an occupancy grid (-1 unknown, 0 to 100) as a PNG file, `scale` pixels to a cell.
 ///

@@ -5,17 +5,19 @@ use std::cmp::Ordering;
 use super::Rgb;
 
 /// Unknown cells: the grey-green of RViz.
-pub const UNKNOWN: Rgb<u8> = Rgb([0x70, 0x89, 0x86]);
+pub const UNKNOWN: Rgb = Rgb([0x70, 0x89, 0x86]);
+/// Cost 0: white; RViz shows what lies below.
+pub const FREE: Rgb = Rgb([255; 3]);
 /// Lethal cost: magenta.
-pub const LETHAL: Rgb<u8> = Rgb([255, 0, 255]);
+pub const LETHAL: Rgb = Rgb([255, 0, 255]);
 /// Inscribed cost: cyan.
-pub const INSCRIBED: Rgb<u8> = Rgb([0, 255, 255]);
+pub const INSCRIBED: Rgb = Rgb([0, 255, 255]);
 /// Cells that are equal in both grids.
-pub const EQUAL: Rgb<u8> = Rgb([0xc8, 0xc8, 0xc8]);
+pub const EQUAL: Rgb = Rgb([0xc8, 0xc8, 0xc8]);
 
 /// An occupancy value as RViz's `map` scheme shows it: 0 white, 100 black, greys between,
 /// -1 [`UNKNOWN`]. Values no grid should hold stand out: green above 100, red to yellow below -1.
-pub fn occupancy(value: i8) -> Rgb<u8> {
+pub fn occupancy(value: i8) -> Rgb {
     match value {
         0..=100 => {
             let grey = 255 - (255 * i32::from(value) / 100) as u8;
@@ -30,9 +32,9 @@ pub fn occupancy(value: i8) -> Rgb<u8> {
 /// A cost 0..=255 as RViz's `costmap` scheme shows it: 0 white (RViz: transparent), 1 to 252 from
 /// blue to red, 255 [`UNKNOWN`]; `lethal_cost` [`LETHAL`], other costs of 253 and 254
 /// [`INSCRIBED`].
-pub fn cost(cost: u8, lethal_cost: u8) -> Rgb<u8> {
+pub fn cost(cost: u8, lethal_cost: u8) -> Rgb {
     match cost {
-        0 => Rgb([255; 3]),
+        0 => FREE,
         u8::MAX => UNKNOWN,
         _ if cost == lethal_cost => LETHAL,
         1..=252 => {
@@ -43,9 +45,52 @@ pub fn cost(cost: u8, lethal_cost: u8) -> Rgb<u8> {
     }
 }
 
+/// A cost as an occupancy grid carries it, as RViz's `costmap` scheme shows it: 0 white (RViz:
+/// transparent), 1 to 98 from blue to red, 99 [`INSCRIBED`], 100 [`LETHAL`], -1 [`UNKNOWN`]. Values no
+/// grid should hold as in [`occupancy`].
+pub fn viewable_cost(value: i8) -> Rgb {
+    match value {
+        0 => FREE,
+        1..=98 => {
+            let red = (255 * i32::from(value) / 100) as u8;
+            Rgb([red, 0, 255 - red])
+        }
+        99 => INSCRIBED,
+        100 => LETHAL,
+        _ => occupancy(value),
+    }
+}
+
+/// A distance in metres: 0 black to `farthest` white; NaN [`UNKNOWN`]; below 0, inside obstacles,
+/// from black to blue.
+pub fn distance(metres: f32, farthest: f32) -> Rgb {
+    if metres.is_nan() {
+        return UNKNOWN;
+    }
+    let level = (metres.abs() / farthest.max(f32::MIN_POSITIVE)).min(1.0);
+    let level = (255.0 * level) as u8;
+    if metres < 0.0 {
+        Rgb([0, 0, level])
+    } else {
+        Rgb([level; 3])
+    }
+}
+
+/// Evidence: the more a cell is free, the greener, the more occupied, the redder; unknown is
+/// [`UNKNOWN`].
+pub fn evidence(free: f32, occupied: f32) -> Rgb {
+    let unknown = (1.0 - free - occupied).clamp(0.0, 1.0);
+    let mix = |own: f32, grey: u8| (255.0 * own.clamp(0.0, 1.0) + f32::from(grey) * unknown).min(255.0) as u8;
+    Rgb([
+        mix(occupied, UNKNOWN.0[0]),
+        mix(free, UNKNOWN.0[1]),
+        mix(0.0, UNKNOWN.0[2]),
+    ])
+}
+
 /// A difference of two grids: [`EQUAL`] grey, red where the first is greater, blue where it is
 /// less.
-pub fn difference(first_to_second: Ordering) -> Rgb<u8> {
+pub fn difference(first_to_second: Ordering) -> Rgb {
     match first_to_second {
         Ordering::Equal => EQUAL,
         Ordering::Greater => Rgb([0xd0, 0x10, 0x10]),

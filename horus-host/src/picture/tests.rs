@@ -2,17 +2,17 @@ use std::path::Path;
 
 use super::{Cells, Picture, PictureError, Rgb, ascii_window, cost_png, occupancy_png, palette};
 
-const WHITE: Rgb<u8> = Rgb([255; 3]);
-const BLACK: Rgb<u8> = Rgb([0; 3]);
+const WHITE: Rgb = Rgb([255; 3]);
+const BLACK: Rgb = Rgb([0; 3]);
 
 /// The picture as characters, the top row first.
-fn draw(picture: &Picture, key: &[(Rgb<u8>, char)]) -> Vec<String> {
-    let symbol = |pixel: &Rgb<u8>| {
+fn draw(picture: &Picture, key: &[(Rgb, char)]) -> Vec<String> {
+    let symbol = |pixel: &Rgb| {
         let known = key.iter().find(|(colour, _)| colour == pixel);
         known.map_or('?', |&(_, symbol)| symbol)
     };
     let rows = picture.image().rows();
-    rows.map(|row| row.map(symbol).collect()).collect()
+    rows.map(|row| row.iter().map(symbol).collect()).collect()
 }
 
 #[test]
@@ -99,9 +99,13 @@ fn files_are_written_and_failures_name_the_path() {
     let cells = Cells::new(2, 2, &values).unwrap();
     let file = folder.join("map.png");
     occupancy_png(&file, cells, 3).unwrap();
-    let read = image::open(&file).unwrap().to_rgb8();
+    let source = std::io::BufReader::new(std::fs::File::open(&file).unwrap());
+    let mut reader = png::Decoder::new(source).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    assert_eq!((info.width, info.height), (6, 6));
     let painted = Picture::paint(cells, 3, palette::occupancy).unwrap();
-    assert_eq!(&read, painted.image());
+    assert_eq!(bytes, painted.image().to_bytes());
     std::fs::remove_dir_all(&folder).unwrap();
 
     let missing = Path::new("/no/such/folder/cost.png");

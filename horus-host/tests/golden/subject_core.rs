@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use horus_core::costmap::{CostMapBuffers, CostTables, FieldCell, bit_words, scratch_words};
+use horus_core::costmap::{CostTables, FieldCell, bit_words, scratch_words};
 use horus_core::local::{BufferSlot, SensingState};
 use horus_core::prelude::{
     BeamSlot, CellRect, CostBuffers, CostMap, Lidar, LocalGridMap, LocalGridMapConfig, OccupancyGrid,
@@ -74,7 +74,7 @@ pub fn for_each_map(
 }
 
 /// Runs `check` on one map and returns its effective radius.
-fn with_map<F: Field>(
+fn with_map<F: FieldCell + Debug>(
     case: &MapCase,
     params: CostParams,
     path: Path,
@@ -87,13 +87,13 @@ fn with_map<F: Field>(
     let mut bits = vec![0; bit_words(width, height)];
     let mut scratch = vec![0; (0..=F::MAX_RADIUS).map(scratch_words).max().unwrap_or(0)];
     let mut costs = kept.then(|| vec![0; case.cells.len()]);
-    let mut tables = F::tables();
+    let mut tables = Box::new(CostTables::<F>::EMPTY);
     let buffers = CostBuffers {
         bits: &mut bits,
         field: &mut field,
         scratch: &mut scratch,
         costs: costs.as_deref_mut(),
-        tables: F::split(&mut tables),
+        tables: &mut tables,
     };
     let grid = OccupancyGrid::new_in(&mut cells[..], width, height, case.resolution, pose(case.origin))?;
     let mut map = CoreMap {
@@ -224,26 +224,6 @@ fn difference(a: &[u8], b: &[u8], width: u32) -> Option<CellRect> {
             y1: y + 1,
         })
         .reduce(|a, b| a.union(&b))
-}
-
-/// A field type with its cost tables on the heap.
-trait Field: FieldCell + Debug {
-    fn tables() -> Box<CostMapBuffers<0, 0, Self, 0>>;
-    fn split(tables: &mut CostMapBuffers<0, 0, Self, 0>) -> &mut CostTables<Self> {
-        tables.split().1.tables
-    }
-}
-
-impl Field for u8 {
-    fn tables() -> Box<CostMapBuffers<0, 0, Self, 0>> {
-        Box::new(CostMapBuffers::<0, 0, u8, 0>::empty())
-    }
-}
-
-impl Field for u16 {
-    fn tables() -> Box<CostMapBuffers<0, 0, Self, 0>> {
-        Box::new(CostMapBuffers::<0, 0, u16, 0>::empty())
-    }
 }
 
 /// An occupancy grid under test.

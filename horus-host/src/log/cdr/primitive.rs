@@ -39,7 +39,13 @@ macro_rules! number {
 
 number!(i32, "int32", |a, b| a == b, {});
 number!(u32, "uint32", |a, b| a == b, {});
-number!(f64, "float64", |a, b| a.to_bits() == b.to_bits(), {});
+number!(f64, "float64", |a, b| a.to_bits() == b.to_bits(), {
+    fn settle(&mut self, other: &Self, tolerance: f64) {
+        if (*self - other).abs() <= tolerance {
+            *self = *other;
+        }
+    }
+});
 
 number!(u8, "uint8", |a, b| a == b, {
     fn encode_elements(values: &[Self], writer: &mut CdrWriter) {
@@ -63,6 +69,12 @@ number!(i8, "int8", |a, b| a == b, {
 });
 
 number!(f32, "float32", |a, b| a.to_bits() == b.to_bits(), {
+    fn settle(&mut self, other: &Self, tolerance: f64) {
+        if (f64::from(*self) - f64::from(*other)).abs() <= tolerance {
+            *self = *other;
+        }
+    }
+
     fn encode_elements(values: &[Self], writer: &mut CdrWriter) {
         writer.floats(values);
     }

@@ -29,4 +29,11 @@ impl<T: CdrValue> CdrValue for Vec<T> {
         let elements = |sequence: &Self| format!("{} elements", sequence.len());
         Some(FieldDifference::leaf(elements(self), elements(other)))
     }
+    fn settle(&mut self, other: &Self, tolerance: f64) {
+        if self.len() == other.len() {
+            for (element, other) in self.iter_mut().zip(other) {
+                element.settle(other, tolerance);
+            }
+        }
+    }
 }

@@ -23,6 +23,9 @@ pub trait CdrValue: Sized {
     /// First field that differs, `None` if all are equal. Floats are compared by their bits.
     fn difference(&self, other: &Self) -> Option<FieldDifference>;
 
+    /// Takes the value of `other` in every float that is at most `tolerance` away from it.
+    fn settle(&mut self, _other: &Self, _tolerance: f64) {}
+
     /// Appends the elements of a sequence, without their count.
     fn encode_elements(values: &[Self], writer: &mut CdrWriter) {
         for value in values {

@@ -1,4 +1,5 @@
 //! Where in a grid an element of its data lies.
+use crate::log::cdr::CdrValue;
 use crate::log::msg::{
     Costmap, Grid, LaserScan, NumericType, OccupancyGrid, Path, PoseStamped, TFMessage, TransformStamped,
 };
@@ -14,7 +15,7 @@ pub(super) struct CellValue {
 }
 
 /// A message that may be a grid. The defaults are those of a message that is none.
-pub(super) trait Cells {
+pub(super) trait Cells: CdrValue {
     /// The value that element `index` of the data belongs to, here and in `other`.
     fn cell_value(&self, _other: &Self, _index: usize) -> Option<CellValue> {
         None
@@ -23,6 +24,12 @@ pub(super) trait Cells {
     /// Number of cells that differ from `other`; 0 if the grids differ in size.
     fn differing_cells(&self, _other: &Self) -> u64 {
         0
+    }
+
+    /// Takes the value of `other` in every float and in every known cell that is at most `tolerance`
+    /// away from it.
+    fn settle_cells(&mut self, other: &Self, tolerance: f64) {
+        self.settle(other, tolerance);
     }
 }
 
@@ -43,6 +50,11 @@ impl Cells for OccupancyGrid {
         }
         differing_elements(&self.data, &other.data).count() as u64
     }
+
+    fn settle_cells(&mut self, other: &Self, tolerance: f64) {
+        self.settle(other, tolerance);
+        settle_known(&mut self.data, &other.data, -1, tolerance);
+    }
 }
 
 impl Cells for Costmap {
@@ -55,6 +67,11 @@ impl Cells for Costmap {
             return 0;
         }
         differing_elements(&self.data, &other.data).count() as u64
+    }
+
+    fn settle_cells(&mut self, other: &Self, tolerance: f64) {
+        self.settle(other, tolerance);
+        settle_known(&mut self.data, &other.data, u8::MAX, tolerance);
     }
 }
 
@@ -70,7 +87,7 @@ impl Cells for Grid {
                 .contains(&in_cell)
                 .then(|| {
                     let value =
-                        |grid: &Self| number(grid.data.get(start.saturating_add(offset)..)?, field.r#type);
+                        |grid: &Self| text(grid.data.get(start.saturating_add(offset)..)?, field.r#type);
                     Some((value(self)?, value(other)?))
                 })??;
             Some((format!("data.{}", field.name), value.0, value.1))
@@ -97,6 +114,33 @@ impl Cells for Grid {
         });
         new_cells.count() as u64
     }
+
+    fn settle_cells(&mut self, other: &Self, tolerance: f64) {
+        self.settle(other, tolerance);
+        let layout = |grid: &Self| (grid.row_stride, grid.cell_stride, grid.data.len());
+        let cell_stride = self.cell_stride as usize;
+        if layout(self) != layout(other) || cell_stride == 0 || self.fields != other.fields {
+            return;
+        }
+        let cells = self
+            .data
+            .chunks_mut(cell_stride)
+            .zip(other.data.chunks(cell_stride));
+        for (cell, other) in cells {
+            for field in &self.fields {
+                let Some(len) = byte_len(field.r#type) else {
+                    continue;
+                };
+                let at = field.offset as usize..(field.offset as usize).saturating_add(len);
+                if let (Some(value), Some(other)) = (cell.get_mut(at.clone()), other.get(at)) {
+                    let distance = number(value, field.r#type).zip(number(other, field.r#type));
+                    if distance.is_some_and(|(a, b)| (a - b).abs() <= tolerance) {
+                        value.copy_from_slice(other);
+                    }
+                }
+            }
+        }
+    }
 }
 
 impl Grid {
@@ -119,12 +163,28 @@ fn byte_len(code: u8) -> Option<usize> {
 }
 
 /// The number of type `code` that `bytes` starts with.
-fn number(bytes: &[u8], code: u8) -> Option<String> {
+fn number(bytes: &[u8], code: u8) -> Option<f64> {
     match byte_len(code)? {
-        1 => bytes.first().map(u8::to_string),
-        _ => bytes
-            .first_chunk()
-            .map(|word| f32::from_le_bytes(*word).to_string()),
+        1 => bytes.first().map(|&byte| byte.into()),
+        _ => bytes.first_chunk().map(|word| f32::from_le_bytes(*word).into()),
+    }
+}
+
+/// The same as text, as short as it is exact.
+fn text(bytes: &[u8], code: u8) -> Option<String> {
+    let number = number(bytes, code)?;
+    Some((number as f32).to_string()) // bytes and f32 are exact in f32
+}
+
+/// Takes the other value where both are known and at most `tolerance` apart.
+fn settle_known<T: Copy + PartialEq + Into<f64>>(values: &mut [T], others: &[T], unknown: T, tolerance: f64) {
+    if values.len() == others.len() {
+        for (value, &other) in values.iter_mut().zip(others) {
+            let both_known = *value != unknown && other != unknown;
+            if both_known && ((*value).into() - other.into()).abs() <= tolerance {
+                *value = other;
+            }
+        }
     }
 }
 

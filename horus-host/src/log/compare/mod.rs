@@ -3,7 +3,12 @@ mod cells;
 mod payload;
 mod summary;
 
-use std::{collections::BTreeSet, fs::File, io::BufReader, path::Path};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs::File,
+    io::BufReader,
+    path::Path,
+};
 
 use super::{LogEntry, LogError, LogMessage, LogReader, ReadEnd};
 
@@ -23,12 +28,38 @@ pub use summary::{Comparison, Difference, TopicComparison};
 /// # Complexity
 /// Reads each log once per topic and once more, and holds one message of each in memory.
 pub fn compare(a: &Path, b: &Path) -> Result<Comparison, LogError> {
+    compare_with(a, b, &BTreeMap::new(), &mut |_| Ok::<(), LogError>(()))
+}
+
+/// Two messages that differ, the next of their topic in each log; one may be missing.
+#[derive(Debug, Clone, Copy)]
+pub struct DifferingPair<'a> {
+    /// The one in the first log.
+    pub a: Option<&'a LogMessage>,
+    /// The one in the second log.
+    pub b: Option<&'a LogMessage>,
+}
+
+/// Compares as [`compare`] does, but floats and known cells may differ by the tolerance of their
+/// topic; hands on every pair that differs. Unknown cells equal unknown cells only.
+///
+/// # Errors
+/// As [`compare`], and what `sink` returns.
+pub fn compare_with<E: From<LogError>>(
+    a: &Path,
+    b: &Path,
+    tolerances: &BTreeMap<String, f64>,
+    sink: &mut dyn FnMut(DifferingPair) -> Result<(), E>,
+) -> Result<Comparison, E> {
     let mut topics = BTreeSet::new();
     let end_a = survey(a, &mut topics)?;
     let end_b = survey(b, &mut topics)?;
     let topics = topics
         .into_iter()
-        .map(|topic| compare_topic(a, b, topic))
+        .map(|topic| {
+            let tolerance = tolerances.get(&topic).copied().unwrap_or(0.0);
+            compare_topic((a, b), topic, tolerance, sink)
+        })
         .collect::<Result<Vec<_>, _>>()?;
     let both_end_alike = matches!(end_a, ReadEnd::Complete) == matches!(end_b, ReadEnd::Complete);
     Ok(Comparison {
@@ -54,14 +85,25 @@ fn survey(path: &Path, topics: &mut BTreeSet<String>) -> Result<ReadEnd, LogErro
     Ok(reader.end().unwrap_or(ReadEnd::Complete))
 }
 
-fn compare_topic(a: &Path, b: &Path, topic: String) -> Result<TopicComparison, LogError> {
+fn compare_topic<E: From<LogError>>(
+    (a, b): (&Path, &Path),
+    topic: String,
+    tolerance: f64,
+    sink: &mut dyn FnMut(DifferingPair) -> Result<(), E>,
+) -> Result<TopicComparison, E> {
     let mut messages_a = TopicReader::open(a, &topic)?;
     let mut messages_b = TopicReader::open(b, &topic)?;
-    let mut result = TopicComparison::new(topic.clone());
+    let mut result = TopicComparison::new(topic.clone(), tolerance);
     loop {
-        match (messages_a.next()?, messages_b.next()?) {
-            (None, None) => return Ok(result),
-            (a, b) => result.add(a.as_ref(), b.as_ref()),
+        let (a, b) = (messages_a.next()?, messages_b.next()?);
+        if a.is_none() && b.is_none() {
+            return Ok(result);
+        }
+        if result.add(a.as_ref(), b.as_ref()) {
+            sink(DifferingPair {
+                a: a.as_ref(),
+                b: b.as_ref(),
+            })?;
         }
     }
 }

@@ -26,8 +26,13 @@ impl PayloadDifference {
 }
 
 /// The first difference between payloads `a` and `b` of `channel`'s type, and the number of
-/// differing cells.
-pub(super) fn difference(channel: &LogChannel, a: &[u8], b: &[u8]) -> (Option<PayloadDifference>, u64) {
+/// differing cells. Floats and known cells at most `tolerance` apart are equal.
+pub(super) fn difference(
+    channel: &LogChannel,
+    a: &[u8],
+    b: &[u8],
+    tolerance: f64,
+) -> (Option<PayloadDifference>, u64) {
     if a == b {
         return (None, 0);
     }
@@ -43,14 +48,19 @@ pub(super) fn difference(channel: &LogChannel, a: &[u8], b: &[u8]) -> (Option<Pa
         TransformStamped::TYPE => decoded::<TransformStamped>,
         _ => bytes,
     };
-    compare(a, b).or_else(|_| bytes(a, b)).unwrap_or((None, 0))
+    compare(a, b, tolerance)
+        .or_else(|_| bytes(a, b, tolerance))
+        .unwrap_or((None, 0))
 }
 
 type Found = (Option<PayloadDifference>, u64);
 
 /// Field by field.
-fn decoded<M: Message + Cells>(a: &[u8], b: &[u8]) -> Result<Found, CdrError> {
-    let (a, b) = (M::from_payload(a)?, M::from_payload(b)?);
+fn decoded<M: Message + Cells>(a: &[u8], b: &[u8], tolerance: f64) -> Result<Found, CdrError> {
+    let (a, mut b) = (M::from_payload(a)?, M::from_payload(b)?);
+    if tolerance > 0.0 {
+        b.settle_cells(&a, tolerance);
+    }
     let Some(first) = a.difference(&b) else {
         return Ok((None, 0));
     };
@@ -71,7 +81,7 @@ fn decoded<M: Message + Cells>(a: &[u8], b: &[u8]) -> Result<Found, CdrError> {
 }
 
 /// Byte by byte.
-fn bytes(a: &[u8], b: &[u8]) -> Result<Found, CdrError> {
+fn bytes(a: &[u8], b: &[u8], _tolerance: f64) -> Result<Found, CdrError> {
     let first = a.iter().zip(b).position(|(a, b)| a != b);
     let difference = match first {
         Some(at) => PayloadDifference::new(&format!("payload[{at}]"), a[at], b[at]),

@@ -6,7 +6,7 @@ use super::payload::{self, PayloadDifference};
 use crate::log::{LogMessage, ReadEnd};
 
 /// What comparing two logs found.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     /// Whether both logs hold the same messages and both, or neither, were finished.
     pub equal: bool,
@@ -19,10 +19,12 @@ pub struct Comparison {
 }
 
 /// What comparing one topic of two logs found.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TopicComparison {
     /// The topic.
     pub topic: String,
+    /// Floats and known cells at most this far apart are equal.
+    pub tolerance: f64,
     /// Messages in the first log.
     pub messages_a: u64,
     /// Messages in the second log.
@@ -70,9 +72,10 @@ impl TopicComparison {
         self.differing_messages == 0
     }
 
-    pub(super) fn new(topic: String) -> Self {
+    pub(super) fn new(topic: String, tolerance: f64) -> Self {
         Self {
             topic,
+            tolerance,
             messages_a: 0,
             messages_b: 0,
             differing_messages: 0,
@@ -81,14 +84,14 @@ impl TopicComparison {
         }
     }
 
-    /// Adds the next message of each log, at least one of which is there.
-    pub(super) fn add(&mut self, a: Option<&LogMessage>, b: Option<&LogMessage>) {
-        let Some(present) = a.or(b) else { return };
+    /// Adds the next message of each log, at least one of which is there; whether they differ.
+    pub(super) fn add(&mut self, a: Option<&LogMessage>, b: Option<&LogMessage>) -> bool {
+        let Some(present) = a.or(b) else { return false };
         let message = self.messages_a.max(self.messages_b);
         self.messages_a += u64::from(a.is_some());
         self.messages_b += u64::from(b.is_some());
         let (difference, cells) = match (a, b) {
-            (Some(a), Some(b)) => pair_difference(a, b),
+            (Some(a), Some(b)) => pair_difference(a, b, self.tolerance),
             _ => {
                 let word = |message: Option<_>| match message {
                     Some(_) => "present",
@@ -98,7 +101,9 @@ impl TopicComparison {
             }
         };
         self.differing_cells += cells;
-        let Some(difference) = difference else { return };
+        let Some(difference) = difference else {
+            return false;
+        };
         self.differing_messages += 1;
         self.first.get_or_insert(Difference {
             message,
@@ -108,11 +113,12 @@ impl TopicComparison {
             a: difference.a,
             b: difference.b,
         });
+        true
     }
 }
 
 /// The first difference of two messages, and the number of differing cells.
-fn pair_difference(a: &LogMessage, b: &LogMessage) -> (Option<PayloadDifference>, u64) {
+fn pair_difference(a: &LogMessage, b: &LogMessage, tolerance: f64) -> (Option<PayloadDifference>, u64) {
     let (of_a, of_b) = (&a.channel, &b.channel);
     if (&of_a.type_name, &of_a.encoding) != (&of_b.type_name, &of_b.encoding) {
         let kind = |message: &LogMessage| {
@@ -121,7 +127,7 @@ fn pair_difference(a: &LogMessage, b: &LogMessage) -> (Option<PayloadDifference>
         };
         return (Some(PayloadDifference::new("type", kind(a), kind(b))), 0);
     }
-    let (content, cells) = payload::difference(of_a, &a.payload, &b.payload);
+    let (content, cells) = payload::difference(of_a, &a.payload, &b.payload, tolerance);
     let time = (a.log_time_ns != b.log_time_ns)
         .then(|| PayloadDifference::new("log time", a.log_time_ns, b.log_time_ns));
     (time.or(content), cells)

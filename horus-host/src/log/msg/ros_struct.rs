@@ -62,6 +62,10 @@ macro_rules! ros_struct {
                 )+
                 None
             }
+
+            fn settle(&mut self, other: &Self, tolerance: f64) {
+                $($crate::log::cdr::CdrValue::settle(&mut self.$field, &other.$field, tolerance);)+
+            }
         }
 
         impl $crate::log::msg::Message for $name {

@@ -1,12 +1,10 @@
 //! What cannot work ends with exit code 2 and one sentence.
 
-mod cli_support;
-
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cli_support::{S, TestLog, code, refused, run, scan_at, scratch, stderr};
+use crate::support::{S, TestLog, code, refused, run, scan_at, scratch, stderr};
 use horus_host::log::msg::{LaserScan, Message};
 
 fn good_log(dir: &Path) -> PathBuf {

@@ -1,10 +1,8 @@
 //! Comparing two logs.
-mod log_samples;
-
 use std::path::PathBuf;
 
+use crate::samples::*;
 use horus_host::log::{Comparison, Difference, LogError, LogWriter, ReadEnd, TopicComparison, compare};
-use log_samples::*;
 
 type Log = LogWriter<Vec<u8>>;
 

@@ -1,11 +1,9 @@
 //! `horus-host replay` on logs with every kind of hole.
 
-mod cli_support;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cli_support::{S, TestLog, code, json, refused, run, scan_at, scratch, stderr};
+use crate::support::{S, TestLog, code, json, refused, run, scan_at, scratch, stderr};
 use horus_host::log::msg::{LaserScan, Quaternion, Time, Transform};
 use serde_json::Value;
 

@@ -145,3 +145,47 @@ pub fn scan_at(stamp_ns: u64) -> LaserScan {
         ..LaserScan::default()
     }
 }
+
+/// A PNG file that was read back.
+pub struct Painted {
+    pub width: u32,
+    pub height: u32,
+    /// Red, green, blue and alpha of every pixel, the top row first.
+    pub pixels: Vec<[u8; 4]>,
+}
+
+impl Painted {
+    pub fn read(path: impl AsRef<Path>) -> Self {
+        let file = std::io::BufReader::new(fs::File::open(path).unwrap());
+        let mut decoder = png::Decoder::new(file);
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut bytes).unwrap();
+        let pixels = match info.color_type {
+            png::ColorType::Rgb => bytes
+                .as_chunks()
+                .0
+                .iter()
+                .map(|&[r, g, b]| [r, g, b, 255])
+                .collect(),
+            png::ColorType::Rgba => bytes.as_chunks().0.to_vec(),
+            other => panic!("{other:?}"),
+        };
+        Self {
+            width: info.width,
+            height: info.height,
+            pixels,
+        }
+    }
+
+    pub fn size(&self) -> (u32, u32) {
+        (self.width, self.height)
+    }
+
+    /// Red, green and blue at a place, row 0 at the top.
+    pub fn at(&self, x: u32, y: u32) -> [u8; 3] {
+        let [r, g, b, _] = self.pixels[(y * self.width + x) as usize];
+        [r, g, b]
+    }
+}

@@ -1,11 +1,9 @@
 //! `horus-host replay --map local`: navground's local map, core and std version in lockstep.
 
-mod cli_support;
-
 use std::fs;
 use std::path::Path;
 
-use cli_support::{S, TestLog, code, json, refused, run, scan_at, scratch, stderr};
+use crate::support::{S, TestLog, code, json, refused, run, scan_at, scratch, stderr};
 use horus_host::log::msg::{LaserScan, OccupancyGrid};
 use horus_host::log::{LogEntry, LogReader};
 

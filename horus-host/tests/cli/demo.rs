@@ -1,12 +1,10 @@
 //! `horus-host demo`: its files, its summary, and what stands in its logs.
 
-mod cli_support;
-
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use cli_support::{code, json, run, scratch, stderr};
+use crate::support::{code, json, run, scratch, stderr};
 use horus_host::log::msg::{Costmap, LaserScan, OccupancyGrid, TFMessage};
 use horus_host::log::{LogEntry, LogReader, ReadEnd, cost_to_viewable};
 use horus_host::tf::{TfBuffer, Transform};

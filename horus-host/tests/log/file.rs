@@ -1,14 +1,12 @@
 //! Writing and reading whole logs.
-mod log_samples;
-
 use std::io::{self, Write};
 
+use crate::samples::*;
 use horus_host::log::{
-    LogEntry, LogError, LogMessage, LogReader, LogWriter, ReadEnd,
+    LogEntry, LogError, LogMessage, LogReader, LogWriter, RECORD_LIMIT, ReadEnd,
     cdr::CdrError,
     msg::{Costmap, Grid, Header, LaserScan, Message, OccupancyGrid, Path, TFMessage},
 };
-use log_samples::*;
 
 fn messages(entries: Vec<LogEntry>) -> Vec<LogMessage> {
     let message = |entry| match entry {
@@ -201,7 +199,7 @@ fn refused_messages_leave_the_log_as_it_was() {
         }
     ));
     let huge = Costmap {
-        data: vec![0; 64 << 20],
+        data: vec![0; RECORD_LIMIT],
         ..costmap(2)
     };
     let error = log.write("/costmap_raw", 2, &huge).unwrap_err();
@@ -216,7 +214,7 @@ fn the_longest_message_written_can_be_read() {
     let mut log = LogWriter::new(Vec::new()).unwrap();
     log.write("/scan", 1, &scan(1)).unwrap();
     let large = Costmap {
-        data: (0..(62_usize << 20) - 1000)
+        data: (0..RECORD_LIMIT - (2 << 20) - 1000)
             .map(|i| ((i * i) >> 7) as u8)
             .collect(),
         ..costmap(2)

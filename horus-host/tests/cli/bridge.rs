@@ -1,0 +1,121 @@
+//! `horus-host pub` and `horus-host sub`: a log goes through shared memory.
+
+use std::fs;
+use std::process::{Child, Command, Output, Stdio};
+
+use horus_host::topic::Domain;
+
+use crate::support::{TestLog, code, refused, run, scan_at, scratch, stderr};
+
+/// A domain of a test's own, and its name.
+struct TestDomain(Domain, String);
+
+impl TestDomain {
+    fn new(test: &str) -> Self {
+        let name = format!("{test}_{}", std::process::id());
+        Self(Domain::new(&name).unwrap(), name)
+    }
+}
+
+impl Drop for TestDomain {
+    fn drop(&mut self) {
+        self.0.remove();
+    }
+}
+
+fn start(arguments: &[&str]) -> Child {
+    Command::new(env!("CARGO_BIN_EXE_horus-host"))
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+}
+
+fn finished(child: Child) -> Output {
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    output
+}
+
+#[test]
+fn what_is_published_is_recorded() {
+    let dir = scratch("bridge");
+    let path = |name: &str| dir.join(name).to_str().unwrap().to_owned();
+    let out = dir.to_str().unwrap();
+    assert_eq!(code(&run(&["demo", "--seconds", "2", "--out", out])), 0);
+    let (core, live) = (path("core.mcap"), path("live.mcap"));
+    let domain = TestDomain::new("bridge");
+    let sub = start(&["sub", "--out", &live, "--domain", &domain.1, "--json"]);
+    let sent = finished(start(&[
+        "pub", &core, "--wait", "1", "--rate", "0", "--domain", &domain.1, "--json",
+    ]));
+    let received = finished(sub);
+    let counts = |output: &Output| {
+        let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        (value["messages"].clone(), value["topics"].clone())
+    };
+    assert_eq!(counts(&sent), counts(&received));
+    assert_eq!(counts(&sent).0, 101);
+    let comparison = run(&["compare", &core, &live]);
+    assert_eq!(
+        code(&comparison),
+        0,
+        "{}",
+        String::from_utf8_lossy(&comparison.stdout)
+    );
+}
+
+#[test]
+fn limits_topics_and_silence_end_a_recording() {
+    let dir = scratch("bridge_limits");
+    let path = |name: &str| dir.join(name).to_str().unwrap().to_owned();
+    let (log, live) = (path("log.mcap"), path("live.mcap"));
+    let mut writer = TestLog::with_mount(log.as_ref());
+    for second in 1..=20 {
+        writer.robot(second * 1_000_000_000);
+        writer.scan(&scan_at(second * 1_000_000_000));
+    }
+    writer.finish();
+    let domain = TestDomain::new("limits");
+    let common = ["--domain", &domain.1];
+    let sub = start(
+        &[
+            &[
+                "sub", "--out", &live, "--topic", "/scan", "--limit", "5", "--json",
+            ],
+            &common[..],
+        ]
+        .concat(),
+    );
+    let published = run(&[
+        &["pub", &log, "--topic", "/scan", "--wait", "1", "--rate", "10"],
+        &common[..],
+    ]
+    .concat());
+    assert_eq!(code(&published), 0, "{}", stderr(&published));
+    let received: serde_json::Value = serde_json::from_slice(&finished(sub).stdout).unwrap();
+    assert_eq!(received["topics"], serde_json::json!({"/scan": 5}));
+
+    let silent = [&["sub", "--out", &live, "--timeout", "1"], &common[..]].concat();
+    refused(&silent, &["no message came"]);
+    assert!(!fs::exists(&live).unwrap(), "nothing is left");
+    refused(
+        &[&["pub", &log, "--wait", "1", "--patience", "1"], &common[..]].concat(),
+        &["0 of 1 subscribers"],
+    );
+    refused(
+        &[&["pub", &log, "--topic", "/none"], &common[..]].concat(),
+        &["no topic /none"],
+    );
+    refused(
+        &[&["pub", &log, "--rate", "-1"], &common[..]].concat(),
+        &["zero or more"],
+    );
+    refused(&["pub", &log, "--domain", "a b"], &["domain"]);
+    refused(
+        &["sub", "--out", &path("no/such.mcap")],
+        &["cannot create the log"],
+    );
+    assert_eq!(code(&run(&["sub"])), 2);
+}

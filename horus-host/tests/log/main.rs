@@ -1,0 +1,5 @@
+//! Logs: writing, reading and comparing whole files.
+
+mod compare;
+mod file;
+mod samples;
