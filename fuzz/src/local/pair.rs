@@ -15,21 +15,16 @@ pub struct LocalPair<'a> {
     std: reference::LocalGridMap,
     state: SensingState<'a>,
     std_state: reference::SensingState,
-    beams: Vec<Vec<BeamSlot>>,
+    /// They remember their beams' directions from one update to the next.
+    workspaces: Vec<ScanWorkspace<'a>>,
     costs: CostMap<'a>,
 }
 
 impl<'a> LocalPair<'a> {
     /// Two maps of unknown cells; `None` if both refuse the configuration.
-    pub fn new(case: &LocalCase) -> Option<Self> {
-        let [width, height] = case.size.map(|size| u32::from(size % 41));
+    pub fn new(case: &LocalCase, storage: &'a mut LocalStorage) -> Option<Self> {
+        let [width, height] = storage.size;
         let resolution = case.resolution.0;
-        let (external, own) = (usize::from(case.lidars[0] % 3), usize::from(case.lidars[1] % 2));
-        let own: Vec<_> = LIDARS[external..external + own]
-            .iter()
-            .copied()
-            .map(lidar)
-            .collect();
         let footprints = [
             (Footprint::Rectangular, reference::LocalFootprint::Rectangular),
             (Footprint::Circular, reference::LocalFootprint::Circular),
@@ -75,13 +70,14 @@ impl<'a> LocalPair<'a> {
             costs: Some(&mut storage.costs),
             tables: &mut storage.tables,
         };
+        let beams = storage.beams.iter_mut();
         let params = CostParams::default().with_radius(3.0 * resolution);
         Some(Self {
             core,
             std,
             state,
             std_state: reference::SensingState::default(),
-            beams: vec![vec![BeamSlot::EMPTY; BEAMS]; LIDARS.len()],
+            workspaces: beams.map(|slots| ScanWorkspace::new_in(slots, &mut [])).collect(),
             costs: CostMap::new_in(grid.ok()?, buffers, params).ok()?,
         })
     }
@@ -160,18 +156,15 @@ impl<'a> LocalPair<'a> {
     fn update(&mut self, pose: Pose2D, few: bool) {
         let lidars = self.core.config().lidar_names().count();
         let before = (self.core.data().to_vec(), self.core.offset());
-        let mut workspaces: Vec<_> = self
-            .beams
-            .iter_mut()
-            .map(|slots| ScanWorkspace::new_in(slots, &mut []))
-            .collect();
         if few && lidars > 0 {
-            let refused = self.core.update(&self.state, pose, &mut workspaces[..lidars - 1]);
+            let refused = self
+                .core
+                .update(&self.state, pose, &mut self.workspaces[..lidars - 1]);
             assert!(refused.is_err());
             assert_eq!(before, (self.core.data().to_vec(), self.core.offset()));
             return;
         }
-        let core = self.core.update(&self.state, pose, &mut workspaces);
+        let core = self.core.update(&self.state, pose, &mut self.workspaces);
         let std = self.std.update(&self.std_state, std_pose(pose));
         match agreed("update", core, std) {
             Some((core, std)) => {

@@ -1,6 +1,6 @@
 use horus_core::costmap::{CostTables, bit_words, scratch_words};
 use horus_core::local::BufferSlot;
-use horus_core::prelude::{Lidar, Pose2D};
+use horus_core::prelude::{BeamSlot, Lidar, Pose2D};
 
 use super::LocalCase;
 use crate::scene::BEAMS;
@@ -15,6 +15,8 @@ pub struct LocalStorage {
     pub(super) external: usize,
     /// Lidars of the map's own.
     pub(super) own: Vec<Lidar<'static>>,
+    /// One set of slots per lidar.
+    pub(super) beams: Vec<Vec<BeamSlot>>,
     pub(super) slots: Vec<BufferSlot>,
     pub(super) floats: Vec<f32>,
     pub(super) bytes: Vec<u8>,
@@ -43,6 +45,7 @@ impl LocalStorage {
             size,
             external,
             own: LIDARS[external..external + own].iter().map(lidar).collect(),
+            beams: vec![vec![BeamSlot::EMPTY; BEAMS]; LIDARS.len()],
             slots: vec![BufferSlot::EMPTY; 32],
             floats: vec![0.0; 3 * (BEAMS + 6) + 12 + 6],
             bytes: vec![0; cells],
