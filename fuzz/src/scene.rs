@@ -21,6 +21,19 @@ impl<'a> Arbitrary<'a> for Resolution {
     }
 }
 
+/// Columns and rows: at most 48 x 40, or a single row or column; at most `limit` cells.
+pub fn cells(width: u8, height: u8, limit: u32) -> (u32, u32) {
+    let long = limit.min(320) * u32::from(width) / 255;
+    match height % 43 {
+        41 => (long, 1),
+        42 => (1, long),
+        height => {
+            let width = u32::from(width % 49);
+            (width, u32::from(height).min(limit / width.max(1)))
+        }
+    }
+}
+
 /// A pose whose position is counted in cells and whose heading in tenths of a radian.
 #[derive(Clone, Copy, Debug, Arbitrary)]
 pub struct Place {

@@ -2,7 +2,7 @@ use arbitrary::Arbitrary;
 
 use super::Params;
 use crate::number::Number;
-use crate::scene::{Fill, Model, Move, Place, Resolution, Scan};
+use crate::scene::{Fill, Model, Move, Place, Resolution, Scan, cells};
 use crate::sequence::{Rest, Short};
 
 /// A cost map and what is done to it.
@@ -29,17 +29,9 @@ pub struct CostCase {
 }
 
 impl CostCase {
-    /// Columns and rows: at most 48 x 40, or a single row or column; at most `limit` cells.
+    /// Columns and rows.
     pub fn cells(&self, limit: u32) -> (u32, u32) {
-        let long = limit.min(320) * u32::from(self.width) / 255;
-        match self.height % 43 {
-            41 => (long, 1),
-            42 => (1, long),
-            height => {
-                let width = u32::from(self.width % 49);
-                (width, u32::from(height).min(limit / width.max(1)))
-            }
-        }
+        cells(self.width, self.height, limit)
     }
 }
 

@@ -3,8 +3,12 @@ use horus_core::prelude::{CellRect, OccupancyGrid, Pose2D};
 use horus_host::reference;
 
 use crate::number::Number;
-use crate::scene::{Fill, Place, Resolution, std_pose};
+use crate::scene::{Fill, Place, Resolution, cells, std_pose};
 use crate::sequence::Rest;
+
+/// Most cells of a grid, so that the std version takes a millisecond. A line of them is longer than two-byte squares
+/// reach.
+const CELLS: u32 = 320;
 
 /// A grid and what is asked of it.
 #[derive(Clone, Debug, Arbitrary)]
@@ -28,7 +32,7 @@ pub enum Query {
         /// Unknown cells are obstacles.
         unknown: bool,
         /// Two corners, mostly inside.
-        window: [u8; 4],
+        window: [u16; 4],
         /// Rows per step.
         rows: u8,
     },
@@ -61,10 +65,10 @@ pub struct Scene {
 impl DistanceCase {
     /// The grid; `None` if it is refused.
     pub(super) fn scene(&self) -> Option<Scene> {
-        let (width, height) = (u32::from(self.width % 70), u32::from(self.height % 40));
+        let (width, height) = cells(self.width, self.height, CELLS);
         let origin: Pose2D = self.origin.pose(self.resolution.0);
-        let cells = vec![0; (width * height) as usize];
-        let mut core = OccupancyGrid::new_in(cells, width, height, self.resolution.0, origin).ok()?;
+        let storage = vec![0; (width * height) as usize];
+        let mut core = OccupancyGrid::new_in(storage, width, height, self.resolution.0, origin).ok()?;
         let mut std =
             reference::OccupancyGrid::try_new(width, height, self.resolution.0, std_pose(origin)).ok()?;
         core.load(&self.fill.values(std.data.len()))
@@ -75,7 +79,7 @@ impl DistanceCase {
 }
 
 /// The window between two corners; it may reach out of the grid by a cell.
-pub(super) fn window(corners: [u8; 4], width: u32, height: u32) -> CellRect {
+pub(super) fn window(corners: [u16; 4], width: u32, height: u32) -> CellRect {
     let [a, b, c, d] = corners.map(u32::from);
     let (a, b, c, d) = (
         a % (width + 2),

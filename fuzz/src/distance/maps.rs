@@ -7,7 +7,7 @@ use horus_host::reference::{signed_squared_distances, squared_distances};
 use super::case::{Scene, window};
 
 /// Distances in every type.
-pub(super) fn check_all(scene: &Scene, cap: Option<u32>, unknown: bool, corners: [u8; 4], rows: u32) {
+pub(super) fn check_all(scene: &Scene, cap: Option<u32>, unknown: bool, corners: [u16; 4], rows: u32) {
     let (width, height) = (scene.core.width(), scene.core.height());
     let window = window(corners, width, height);
     let options = DistanceOptions {
@@ -97,26 +97,27 @@ fn check<D: DistanceCell>(
                 window.contains(gx, gy).then_some(expected[i]),
                 "{gx} {gy} in {window:?}"
             );
-            nearest(scene, mask, &map, (gx, gy));
+            nearest(scene, mask, &map, (gx, gy), cap);
         }
     }
 }
 
-/// What is found is an obstacle at the distance that the map has.
-fn nearest<D: DistanceCell>(scene: &Scene, mask: &[bool], map: &DistanceMap<'_, D>, (gx, gy): (u32, u32)) {
+/// The nearest obstacle is the first of those that no other is nearer than, unless it is beyond the cap.
+fn nearest<D: DistanceCell>(
+    scene: &Scene,
+    mask: &[bool],
+    map: &DistanceMap<'_, D>,
+    (gx, gy): (u32, u32),
+    cap: u32,
+) {
+    let width = scene.core.width();
+    let obstacles = (0..).zip(mask).filter(|(_, obstacle)| **obstacle);
+    let places = obstacles.map(|(i, _)| {
+        let (x, y) = (i % width, i / width);
+        (x.abs_diff(gx).pow(2) + y.abs_diff(gy).pow(2), y, x)
+    });
+    let expected = places.min().filter(|(squared, ..)| *squared <= cap);
+    let expected = expected.filter(|_| map.squared_at(gx, gy).is_some());
     let found = map.nearest_obstacle(&scene.core, gx, gy);
-    let Some(cell) = map.squared_at(gx, gy) else {
-        assert_eq!(found, None);
-        return;
-    };
-    if let Some((x, y)) = found {
-        assert!(mask[(y * scene.core.width() + x) as usize]);
-        let squared = x.abs_diff(gx).pow(2) + y.abs_diff(gy).pow(2);
-        let outside = if D::SIGNED && cell.is_obstacle() {
-            0
-        } else {
-            cell.squared()
-        };
-        assert_eq!(squared, outside);
-    }
+    assert_eq!(found, expected.map(|(_, y, x)| (x, y)), "nearest to {gx} {gy}");
 }

@@ -10,7 +10,7 @@ pub use case::{DistanceCase, Query};
 /// Runs a case; panics at the first disagreement.
 pub fn run(case: &DistanceCase) {
     let Some(scene) = case.scene() else { return };
-    for query in case.queries.0.iter().take(40) {
+    for query in case.queries.0.iter().take(20) {
         match query {
             Query::Distances {
                 cap,
