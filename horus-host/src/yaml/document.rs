@@ -27,6 +27,8 @@ impl<'y> Document<'y> {
     /// # Complexity
     /// Proportional to the text, in time and in memory, whatever is in it.
     pub fn parse(text: &'y str) -> Result<Self, YamlError> {
+        // The parser takes the mark that some editors put first for a part of the first key.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut events = Events(Parser::new_from_str(text));
         events.start()?;
         let mut document = Self {

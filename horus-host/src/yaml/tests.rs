@@ -31,6 +31,13 @@ fn values_are_read_as_what_they_are() {
 }
 
 #[test]
+fn editors_may_leave_their_marks() {
+    let document = Document::parse("\u{feff}a: 1\r\nb: x y \r\n").unwrap();
+    assert_eq!(document.required("a").unwrap().integer(), Ok(1));
+    assert_eq!(document.required("b").unwrap().text(), Ok("x y"));
+}
+
+#[test]
 fn keys_given_twice_are_refused() {
     for (text, message) in [
         (
