@@ -220,7 +220,10 @@ fn free_cells() -> bool {
         GridView::new(&values, 1000, 1000, 0.05, Pose2D::default(), TrinaryValues).expect("a legal map");
     // A sum that needs every index, so that neither loop is left out.
     let listed = || grid.free_cells().fold(0_usize, |sum, i| sum ^ i);
-    #[allow(clippy::needless_range_loop, reason = "the loop that the iterator is held against")]
+    #[allow(
+        clippy::needless_range_loop,
+        reason = "the loop that the iterator is held against"
+    )]
     let plain = || {
         let mut sum = 0;
         for i in 0..values.len() {

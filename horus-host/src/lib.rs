@@ -12,11 +12,11 @@
 //! | [`picture`] | PNG pictures and small character windows of grids |
 //! | [`map_server`] | maps as nav2's `map_server` files: YAML with a PGM or PNG image |
 //! | [`topic`] | live data between processes over shared memory |
-//! | [`yaml`] | YAML files, with positions in errors |
+//! | [`yaml`] | YAML files of one mapping, with lines in errors |
 //! | [`prelude`] | the names a program needs to use the std version |
 //!
 //! [`mod@reference`], [`log`], [`tf`], [`sim`] and [`picture`] know nothing of each other and nothing
-//! of the core; [`map_server`] uses [`yaml`]; [`topic`] and [`navground`] use `horus-core`;
+//! of the core; [`map_server`] and [`navground`] use [`yaml`]; [`topic`] and [`navground`] use `horus-core`;
 //! [`lockstep`] uses [`mod@reference`], [`picture`] and `horus-core`; [`frames`] uses [`lockstep`] and
 //! `horus-core`; the command line `horus-host` uses all of them.
 //!

@@ -63,20 +63,31 @@ impl Frame {
     /// along y.
     #[inline]
     pub(super) fn clip(&self, from: [f32; 2], d: [f32; 2]) -> [f32; 2] {
-        let mut end = [from[0] + d[0], from[1] + d[1]];
-        for (axis, other) in [(0, 1), (1, 0)] {
-            let (low, high) = (self.low[axis], self.high[axis]);
-            if end[axis] < low {
-                let t = (low - from[axis]) / d[axis];
-                end[axis] = low;
-                end[other] = from[other] + d[other] * t;
-            } else if end[axis] > high {
-                let t = (high - from[axis]) / d[axis];
-                end[axis] = high - INSIDE_FAR_BORDER;
-                end[other] = from[other] + d[other] * t;
-            }
+        let ([fx, fy], [dx, dy]) = (from, d);
+        // No loop over the axes: where the compiler does not unroll it, its indices can panic.
+        let (x, y) = self.cut(0, [fx, dx, fx + dx], [fy, dy, fy + dy]);
+        let (y, x) = self.cut(1, [fy, dy, y], [fx, dx, x]);
+        [x, y]
+    }
+
+    /// The end along an axis and along the other one, from start, length and end along each.
+    #[inline(always)]
+    fn cut(
+        &self,
+        axis: usize,
+        [from, d, end]: [f32; 3],
+        [other_from, other_d, other]: [f32; 3],
+    ) -> (f32, f32) {
+        let (low, high) = (self.low[axis], self.high[axis]);
+        if end < low {
+            let t = (low - from) / d;
+            (low, other_from + other_d * t)
+        } else if end > high {
+            let t = (high - from) / d;
+            (high - INSIDE_FAR_BORDER, other_from + other_d * t)
+        } else {
+            (end, other)
         }
-        end
     }
 
     /// Linear index of a cell inside the map.

@@ -24,25 +24,13 @@ pub enum MapFileError {
         /// What the system said.
         source: io::Error,
     },
-    /// The text is no YAML, or a key is missing or of the wrong type.
+    /// The text is no YAML, or a key is missing, given twice, or has a value that no map can have.
     #[error("{}: {source}", path.display())]
     Yaml {
         /// The file.
         path: PathBuf,
         /// What is wrong, and where.
         source: YamlError,
-    },
-    /// A key has a value that no map can have.
-    #[error("{}: {key} must be {wanted}, not {value}", path.display())]
-    Value {
-        /// The file.
-        path: PathBuf,
-        /// The key.
-        key: &'static str,
-        /// What it may be.
-        wanted: &'static str,
-        /// What it is.
-        value: String,
     },
     /// The image is neither PGM nor PNG.
     #[error("{} is neither a PGM (P2, P5) nor a PNG image", path.display())]

@@ -174,24 +174,53 @@ fn wrong_texts_are_refused_with_their_place() {
     assert!(load(&scratch.write("m.yaml", good.as_bytes())).is_ok());
     assert!(load(&scratch.write("m.yaml", format!("{good}extra: [1, {{a: b}}]\n").as_bytes())).is_ok());
     for (text, word) in [
-        (String::new(), "end of input"),
-        (changed("image: m.pgm\n", ""), "image"),
-        (changed("negate: 0\n", ""), "negate"),
-        (changed("negate: 0", "negate: 2"), "negate"),
-        (changed("negate: 0", "negate: maybe"), "line 6"),
-        (changed("0.05", "0"), "resolution"),
+        (String::new(), "one mapping of keys"),
+        (changed("image: m.pgm\n", ""), "image: the key is missing"),
+        (changed("negate: 0\n", ""), "negate: the key is missing"),
+        (changed("negate: 0", "negate: 2"), "line 6: negate: "),
+        (
+            changed("negate: 0", "negate: maybe"),
+            "line 6: negate: 0, 1, true or false",
+        ),
+        (changed("0.05", "0"), "line 2: resolution: a length above zero"),
         (changed("0.05", "-0.05"), "resolution"),
+        (
+            changed("0.05", "'0.05'"),
+            "line 2: resolution: a number is expected",
+        ),
+        (
+            changed("0.05", "[0.05]"),
+            "line 2: resolution: a number is expected",
+        ),
+        (changed("0.05", ""), "line 2: resolution: a number is expected"),
         (changed("0.05", ".nan"), "resolution"),
         (changed("0.05", "1e-60"), "resolution"),
-        (changed("0.05", "wide"), "line 2"),
-        (changed("[0, 0, 0]", "[0, 0]"), "three numbers"),
+        (
+            changed("0.05", "wide"),
+            "line 2: resolution: a number is expected, not wide",
+        ),
+        (
+            changed("[0, 0, 0]", "[0, 0]"),
+            "line 3: origin: three numbers are expected, not 2",
+        ),
         (changed("[0, 0, 0]", "[0, 0, .inf]"), "finite"),
         (changed("[0, 0, 0]", "[0, 0, 0"), "line"),
-        (changed("0.65", ".nan"), "occupied_thresh"),
-        (changed("image: m.pgm", "image: ''"), "image"),
+        (
+            changed("[0, 0, 0]", "[0, 0, [0]]"),
+            "line 3: origin: a list of numbers",
+        ),
+        (changed("[0, 0, 0]", "0"), "line 3: origin: a list of numbers"),
+        (
+            changed("0.65", ".nan"),
+            "line 5: occupied_thresh: a finite number",
+        ),
+        (changed("image: m.pgm", "image: ''"), "line 1: image: a file"),
         (changed("image: m.pgm", "image: other.pgm"), "other.pgm"),
         (format!("{good}mode: binary\n"), "trinary, scale or raw"),
-        (format!("{good}negate: 1\n"), "line 7"),
+        (
+            format!("{good}negate: 1\n"),
+            "line 7: negate: the key is given twice, first in line 6",
+        ),
     ] {
         let path = scratch.write("m.yaml", text.as_bytes());
         let error = load(&path).unwrap_err().to_string();

@@ -1,10 +1,8 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
-
 use super::{MapFileError, MapMode};
-use crate::yaml;
+use crate::yaml::{self, Document, Entry, YamlError};
 
 /// The keys of a `map.yaml`.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,25 +21,6 @@ pub struct MapYaml {
     pub negate: bool,
     /// How shades become values.
     pub mode: MapMode,
-}
-
-/// The file as it is written; keys that are not named are ignored.
-#[derive(Deserialize)]
-struct Keys {
-    image: String,
-    resolution: f64,
-    origin: Vec<f64>,
-    free_thresh: f64,
-    occupied_thresh: f64,
-    negate: Switch,
-    mode: Option<String>,
-}
-
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum Switch {
-    Bool(bool),
-    Number(i64),
 }
 
 impl MapYaml {
@@ -63,61 +42,33 @@ impl MapYaml {
         }
     }
 
-    /// Reads the text of the file `path`, which is named in errors.
+    /// Reads the text of the file `path`, which is named in errors. Keys that are not named above are ignored.
     ///
     /// # Errors
-    /// [`MapFileError::Yaml`] for what is no YAML, for missing keys and wrong types;
-    /// [`MapFileError::Value`] for a resolution that is not above zero, numbers that are not finite,
-    /// an unknown mode, an origin that is not three numbers, `negate` other than 0, 1, true, false.
+    /// [`MapFileError::Yaml`] for what is no YAML, for missing keys, keys given twice and wrong types; for a
+    /// resolution that is not above zero, numbers that are not finite, an unknown mode, an origin that is not
+    /// three numbers, `negate` other than 0, 1, true, false.
     pub fn parse(path: &Path, text: &str) -> Result<Self, MapFileError> {
-        let keys: Keys = yaml::from_str(text).map_err(|source| MapFileError::Yaml {
-            path: path.to_owned(),
-            source,
-        })?;
-        let refuse = |key, wanted, value: &dyn ToString| MapFileError::Value {
-            path: path.to_owned(),
-            key,
-            wanted,
-            value: value.to_string(),
-        };
-        let finite = |key, value: f64| match value.is_finite() {
-            true => Ok(value),
-            false => Err(refuse(key, "finite", &value)),
-        };
-        let resolution = keys.resolution;
-        // The maps compute in f32: what is zero or infinite there is no length.
-        if !(resolution as f32 > 0.0 && (resolution as f32).is_finite()) {
-            return Err(refuse("resolution", "a length above zero", &resolution));
-        }
-        let origin: [f64; 3] = keys
-            .origin
-            .try_into()
-            .map_err(|values: Vec<f64>| refuse("origin", "three numbers", &format!("{values:?}")))?;
-        for value in origin {
-            finite("origin", value)?;
-        }
-        let mode = match keys.mode {
-            None => MapMode::default(),
-            Some(name) => {
-                MapMode::from_name(&name).ok_or_else(|| refuse("mode", "trinary, scale or raw", &name))?
-            }
-        };
-        if keys.image.is_empty() {
-            return Err(refuse("image", "a file", &"empty"));
-        }
+        Document::parse(text)
+            .and_then(|document| Self::read(&document))
+            .map_err(|source| MapFileError::Yaml {
+                path: path.to_owned(),
+                source,
+            })
+    }
+
+    fn read(document: &Document<'_>) -> Result<Self, YamlError> {
         Ok(Self {
-            image: keys.image.into(),
-            resolution,
-            origin,
-            free_thresh: finite("free_thresh", keys.free_thresh)? as f32,
-            occupied_thresh: finite("occupied_thresh", keys.occupied_thresh)? as f32,
-            negate: match keys.negate {
-                Switch::Bool(negate) => negate,
-                Switch::Number(0) => false,
-                Switch::Number(1) => true,
-                Switch::Number(other) => return Err(refuse("negate", "0 or 1", &other)),
+            image: image(document.required("image")?)?,
+            resolution: resolution(document.required("resolution")?)?,
+            origin: origin(document.required("origin")?)?,
+            free_thresh: threshold(document.required("free_thresh")?)?,
+            occupied_thresh: threshold(document.required("occupied_thresh")?)?,
+            negate: negate(document.required("negate")?)?,
+            mode: match document.get("mode").filter(|entry| !entry.is_null()) {
+                Some(entry) => mode(entry)?,
+                None => MapMode::default(),
             },
-            mode,
         })
     }
 
@@ -136,5 +87,56 @@ impl MapYaml {
         key("occupied_thresh", &self.occupied_thresh);
         key("free_thresh", &self.free_thresh);
         text
+    }
+}
+
+fn image(entry: &Entry<'_>) -> Result<PathBuf, YamlError> {
+    match entry.text()? {
+        "" => Err(entry.refused("a file is expected")),
+        name => Ok(name.into()),
+    }
+}
+
+fn resolution(entry: &Entry<'_>) -> Result<f64, YamlError> {
+    let metres = entry.number()?;
+    // The maps compute in f32: what is zero or infinite there is no length.
+    if metres as f32 > 0.0 && (metres as f32).is_finite() {
+        Ok(metres)
+    } else {
+        Err(entry.refused(format!("a length above zero is expected, not {metres}")))
+    }
+}
+
+fn origin(entry: &Entry<'_>) -> Result<[f64; 3], YamlError> {
+    let values = entry.numbers()?;
+    for &value in &values {
+        finite(entry, value)?;
+    }
+    values.try_into().map_err(|values: Vec<f64>| {
+        entry.refused(format!("three numbers are expected, not {}", values.len()))
+    })
+}
+
+fn threshold(entry: &Entry<'_>) -> Result<f32, YamlError> {
+    Ok(finite(entry, entry.number()?)? as f32)
+}
+
+fn negate(entry: &Entry<'_>) -> Result<bool, YamlError> {
+    match (entry.boolean(), entry.integer()) {
+        (Ok(negate), _) => Ok(negate),
+        (_, Ok(number @ 0..=1)) => Ok(number == 1),
+        _ => Err(entry.refused("0, 1, true or false is expected")),
+    }
+}
+
+fn mode(entry: &Entry<'_>) -> Result<MapMode, YamlError> {
+    let name = entry.text()?;
+    MapMode::from_name(name).ok_or_else(|| entry.refused("trinary, scale or raw is expected"))
+}
+
+fn finite(entry: &Entry<'_>, value: f64) -> Result<f64, YamlError> {
+    match value.is_finite() {
+        true => Ok(value),
+        false => Err(entry.refused("a finite number is expected")),
     }
 }

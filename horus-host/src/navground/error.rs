@@ -1,22 +1,17 @@
 use thiserror::Error;
 
+use crate::yaml::YamlError;
+
 /// Why a configuration file cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum ConfigError {
-    /// The text is no YAML.
-    #[error("line {line}: {reason}")]
-    Syntax {
-        /// From 1.
-        line: usize,
-        /// The parser's words.
-        reason: String,
-    },
     /// The text is larger than any configuration.
     #[error("{0} bytes are more than the {max} of a configuration", max = super::LocalMapFile::MOST_BYTES)]
     TooLarge(usize),
-    /// The text is not one mapping of keys to values.
-    #[error("line {0}: a configuration is one mapping of keys to values")]
-    NoMapping(usize),
+    /// The text is no YAML, or a key is given twice or has a value of the wrong type or out of range.
+    #[error(transparent)]
+    Yaml(#[from] YamlError),
     /// There is no `type`.
     #[error("type: the key is missing; a local map has the type LocalGridMap")]
     NoType,
@@ -29,25 +24,5 @@ pub enum ConfigError {
         key: String,
         /// All properties.
         known: String,
-    },
-    /// A key's value has another type.
-    #[error("line {line}: {key}: the value must be of type {expected}")]
-    Type {
-        /// From 1.
-        line: usize,
-        /// The key.
-        key: String,
-        /// The type in navground's words.
-        expected: &'static str,
-    },
-    /// A key's value is refused.
-    #[error("line {line}: {key}: {reason}")]
-    Value {
-        /// From 1.
-        line: usize,
-        /// The key.
-        key: String,
-        /// Why.
-        reason: String,
     },
 }

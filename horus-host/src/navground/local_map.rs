@@ -1,8 +1,8 @@
-use horus_core::local::{Property, PropertyKind, PropertyValue};
+use horus_core::local::{PropertyKind, PropertyValue};
 use horus_core::prelude::{Footprint, LocalGridMapConfig};
-use saphyr::{LoadableYamlNode, MarkedYaml, Scalar, YamlData};
 
 use super::ConfigError;
+use crate::yaml::{Document, Entry, YamlError};
 
 /// The properties of a local map, read from YAML: `type: LocalGridMap` and any of navground's properties, and
 /// `radius`, the footprint's, which navground takes from the agent. What is not given has navground's default.
@@ -35,38 +35,20 @@ impl LocalMapFile {
     /// Reads a configuration.
     ///
     /// # Errors
-    /// What is wrong, with the key and the line: not YAML, no or another `type`, an unknown key, a value of the
-    /// wrong type or out of range.
+    /// What is wrong, with the key and the line: not YAML, no or another `type`, an unknown key, a key given
+    /// twice, a value of the wrong type or out of range.
     pub fn parse(text: &str) -> Result<Self, ConfigError> {
         if text.len() > Self::MOST_BYTES {
             return Err(ConfigError::TooLarge(text.len()));
         }
-        let documents = MarkedYaml::load_from_str(text).map_err(|error| ConfigError::Syntax {
-            line: error.marker().line(),
-            reason: error.info().to_owned(),
-        })?;
-        let document = match &documents[..] {
-            [document] => document,
-            [] => return Err(ConfigError::NoMapping(1)),
-            [_, second, ..] => return Err(ConfigError::NoMapping(second.span.start.line())),
-        };
-        let YamlData::Mapping(mapping) = &document.data else {
-            return Err(ConfigError::NoMapping(document.span.start.line()));
-        };
+        let document = Document::parse(text)?;
+        check_type(document.get("type").ok_or(ConfigError::NoType)?)?;
+        let properties = document.entries().iter().filter(|entry| entry.key() != "type");
         // The lists that the configuration borrows must outlive it.
-        let entries: Vec<_> = mapping.iter().map(Entry::new).collect();
+        let properties: Vec<_> = properties.map(Given::new).collect::<Result<_, _>>()?;
         let mut config = LocalGridMapConfig::default();
-        let mut has_type = false;
-        for entry in &entries {
-            if entry.key == "type" {
-                entry.check_type()?;
-                has_type = true;
-            } else {
-                entry.apply(&mut config)?;
-            }
-        }
-        if !has_type {
-            return Err(ConfigError::NoType);
+        for given in &properties {
+            given.apply(&mut config)?;
         }
         Ok(Self {
             width: config.width,
@@ -86,92 +68,62 @@ impl LocalMapFile {
     }
 }
 
-/// A key and its value.
-struct Entry<'y> {
-    key: &'y str,
-    /// From 1.
-    line: usize,
-    value: &'y MarkedYaml<'y>,
-    /// The value's elements, if it is a list of texts.
-    list: Option<Vec<&'y str>>,
+fn check_type(entry: &Entry<'_>) -> Result<(), YamlError> {
+    match entry.text()? {
+        "LocalGridMap" => Ok(()),
+        other => Err(entry.refused(format!("a local map has the type LocalGridMap, not {other}"))),
+    }
 }
 
-impl<'y> Entry<'y> {
-    fn new((key, value): (&'y MarkedYaml<'y>, &'y MarkedYaml<'y>)) -> Self {
-        let list = match &value.data {
-            YamlData::Sequence(elements) => elements.iter().map(text).collect(),
-            _ => None,
-        };
-        Self {
-            key: text(key).unwrap_or("?"),
-            line: key.span.start.line(),
-            value,
-            list,
-        }
-    }
+/// A property that is given, and its value.
+struct Given<'y> {
+    entry: &'y Entry<'y>,
+    kind: PropertyKind,
+    /// The value, if it is a list.
+    list: Vec<&'y str>,
+}
 
-    fn check_type(&self) -> Result<(), ConfigError> {
-        match text(self.value) {
-            Some("LocalGridMap") => Ok(()),
-            other => Err(self.refused(format!(
-                "a local map has the type LocalGridMap, not {}",
-                other.unwrap_or("this")
-            ))),
-        }
-    }
-
-    /// Sets the property and checks what the configuration is then.
-    fn apply<'c>(&'c self, config: &mut LocalGridMapConfig<'c>) -> Result<(), ConfigError> {
+impl<'y> Given<'y> {
+    fn new(entry: &'y Entry<'y>) -> Result<Self, ConfigError> {
         let properties = LocalGridMapConfig::properties();
-        let Some(property) = properties.iter().find(|property| property.name == self.key) else {
+        let Some(property) = properties.iter().find(|property| property.name == entry.key()) else {
             let names: Vec<_> = properties.iter().map(|property| property.name).collect();
             return Err(ConfigError::UnknownKey {
-                line: self.line,
-                key: self.key.to_owned(),
+                line: entry.line(),
+                key: entry.key().to_owned(),
                 known: names.join(", "),
             });
         };
-        let value = self.value_for(property).ok_or_else(|| ConfigError::Type {
-            line: self.line,
-            key: self.key.to_owned(),
-            expected: property.kind.as_str(),
-        })?;
-        let set = config.set(self.key, value).and_then(|()| config.validate());
-        set.map_err(|error| self.refused(error.to_string()))
-    }
-
-    fn value_for(&self, property: &Property) -> Option<PropertyValue<'_>> {
-        if property.kind == PropertyKind::StrList {
-            return Some(PropertyValue::StrList(self.list.as_deref()?));
-        }
-        let YamlData::Value(scalar) = &self.value.data else {
-            return None;
+        let kind = property.kind;
+        let list = match kind {
+            PropertyKind::StrList => entry.texts()?,
+            _ => Vec::new(),
         };
-        Some(match (property.kind, scalar) {
-            (PropertyKind::Int, Scalar::Integer(value)) => PropertyValue::Int(*value),
-            (PropertyKind::Float, Scalar::Integer(value)) => PropertyValue::Int(*value),
-            (PropertyKind::Float, Scalar::FloatingPoint(value)) => PropertyValue::Float(value.0 as f32),
-            (PropertyKind::Bool, Scalar::Boolean(value)) => PropertyValue::Bool(*value),
-            (PropertyKind::Str, Scalar::String(value)) => PropertyValue::Str(value),
+        Ok(Self { entry, kind, list })
+    }
+
+    /// Sets the property and checks what the configuration is then.
+    fn apply<'c>(&'c self, config: &mut LocalGridMapConfig<'c>) -> Result<(), YamlError> {
+        let value = self.value()?;
+        let set = config
+            .set(self.entry.key(), value)
+            .and_then(|()| config.validate());
+        set.map_err(|error| self.entry.refused(error))
+    }
+
+    fn value(&self) -> Result<PropertyValue<'_>, YamlError> {
+        let entry = self.entry;
+        Ok(match self.kind {
+            PropertyKind::Int => PropertyValue::Int(entry.integer()?),
+            PropertyKind::Float => match entry.integer() {
+                Ok(value) => PropertyValue::Int(value),
+                Err(_) => PropertyValue::Float(entry.number()? as f32),
+            },
+            PropertyKind::Bool => PropertyValue::Bool(entry.boolean()?),
             // A name left empty.
-            (PropertyKind::Str, Scalar::Null) => PropertyValue::Str(""),
-            _ => return None,
+            PropertyKind::Str if entry.is_null() => PropertyValue::Str(""),
+            PropertyKind::Str => PropertyValue::Str(entry.text()?),
+            PropertyKind::StrList => PropertyValue::StrList(&self.list),
         })
-    }
-
-    fn refused(&self, reason: String) -> ConfigError {
-        ConfigError::Value {
-            line: self.line,
-            key: self.key.to_owned(),
-            reason,
-        }
-    }
-}
-
-/// A text.
-fn text<'y>(node: &'y MarkedYaml<'y>) -> Option<&'y str> {
-    match &node.data {
-        YamlData::Value(Scalar::String(text)) => Some(text),
-        _ => None,
     }
 }

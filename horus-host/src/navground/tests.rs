@@ -1,6 +1,7 @@
 use horus_core::prelude::Footprint;
 
 use super::{ConfigError, LocalMapFile};
+use crate::yaml::YamlError;
 
 /// What navground 0.7.0 dumps.
 const DUMP: &str = "\
@@ -46,8 +47,8 @@ fn defaults() {
 fn errors_name_key_and_line() {
     let long = format!("name: {}", "x".repeat(33));
     for (lines, words) in [
-        ("width: ten", "line 2: width: the value must be of type int"),
-        ("width: 2.5", "line 2: width: the value must be of type int"),
+        ("width: ten", "line 2: width: a whole number is expected, not ten"),
+        ("width: 2.5", "line 2: width: a whole number is expected, not 2.5"),
         (
             "height: -1",
             "line 2: height: a property's value has the wrong type or range",
@@ -66,7 +67,7 @@ fn errors_name_key_and_line() {
         ),
         (
             "include_transformation: 3",
-            "line 2: include_transformation: the value must be of type bool",
+            "line 2: include_transformation: true or false is expected, not 3",
         ),
         (
             "footprint: round",
@@ -78,13 +79,21 @@ fn errors_name_key_and_line() {
         ),
         (
             "external_lidars: [a, 3]",
-            "line 2: external_lidars: the value must be of type [str]",
+            "line 2: external_lidars: a list of texts is expected",
         ),
         (
             "external_lidars: a",
-            "line 2: external_lidars: the value must be of type [str]",
+            "line 2: external_lidars: a list of texts is expected",
         ),
         (&long, "line 2: name: a name of 33 bytes is longer than 32"),
+        (
+            "width: 3\nwidth: 4",
+            "line 3: width: the key is given twice, first in line 2",
+        ),
+        (
+            "width: 3\ntype: LocalGridMap",
+            "line 3: type: the key is given twice, first in line 1",
+        ),
         (
             "depth: 3",
             "line 2: depth: no property has this name; there are external_lidars, ",
@@ -104,7 +113,10 @@ fn what_is_no_configuration() {
         "type: LocalGridMap\n---\ntype: LocalGridMap\n",
     ] {
         let error = LocalMapFile::parse(text).unwrap_err();
-        assert!(matches!(error, ConfigError::NoMapping(_)), "{text:?}: {error}");
+        assert!(
+            matches!(error, ConfigError::Yaml(YamlError::NoMapping(_))),
+            "{text:?}: {error}"
+        );
     }
     assert_eq!(LocalMapFile::parse("width: 3"), Err(ConfigError::NoType));
     let error = LocalMapFile::parse("width: 3\ntype: Lidar\n").unwrap_err();
@@ -113,7 +125,10 @@ fn what_is_no_configuration() {
         "line 2: type: a local map has the type LocalGridMap, not Lidar"
     );
     let error = LocalMapFile::parse("type: [\n").unwrap_err();
-    assert!(matches!(error, ConfigError::Syntax { line: 1.., .. }), "{error}");
+    assert!(
+        matches!(error, ConfigError::Yaml(YamlError::Syntax { line: 1.., .. })),
+        "{error}"
+    );
     let large = "#".repeat(LocalMapFile::MOST_BYTES + 1);
     assert_eq!(
         LocalMapFile::parse(&large),
