@@ -24,7 +24,7 @@ struct Bound {
 const BOUNDS: [Bound; 6] = [
     bound("grid", 4, 5),
     bound("scan", 6, 8),
-    bound("scan_accumulate", 7, 9),
+    bound("scan_accumulate", 7, 10),
     bound("cost_map", 18, 32),
     bound("cost_map_u16", 25, 49),
     bound("all", 23, 39),

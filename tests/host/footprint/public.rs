@@ -57,7 +57,8 @@ fn exported_functions(text: &str) -> impl Iterator<Item = String> {
 fn public_functions(text: &str) -> impl Iterator<Item = String> {
     let (mut in_trait, mut hidden) = (false, false);
     text.lines().filter_map(move |line| {
-        in_trait = line.starts_with("pub trait ") && !hidden || in_trait && line != "}";
+        let starts = line.starts_with("pub trait ") && line.ends_with('{') && !hidden;
+        in_trait = starts || in_trait && line != "}";
         let line = line.trim_start();
         let method = line.strip_prefix("fn ").filter(|_| in_trait && !hidden);
         hidden = line == "#[doc(hidden)]" || hidden && line.starts_with("#[");

@@ -1,19 +1,25 @@
 use horus_core::distance::{
-    DistanceBuffers, DistanceCell, DistanceMap, DistanceMapBuffers, DistanceOptions, UnknownAs,
+    DistanceBuffers, DistanceCell, DistanceMap, DistanceMapBuffers, DistanceOptions, EnvelopeVertex,
+    UnknownAs,
 };
 use horus_core::prelude::*;
-use horus_footprint::{in_bss, need, opaque};
+use horus_footprint::{need, opaque};
 
-use crate::{CELLS, SIDE};
-
-type Buffers<D> = DistanceMapBuffers<D, CELLS, { 2 * SIDE as usize }>;
+use crate::CELLS;
 
 /// Distances in every type.
 pub fn call(grid: &StaticOccupancyGrid<CELLS>) {
-    compute(grid, in_bss!(Buffers<u16>, Buffers::<u16>::empty()).split());
-    compute(grid, in_bss!(Buffers<i16>, Buffers::<i16>::empty()).split());
-    compute(grid, in_bss!(Buffers<u32>, Buffers::<u32>::empty()).split());
-    compute(grid, in_bss!(Buffers<i32>, Buffers::<i32>::empty()).split());
+    need(DistanceMapBuffers::<u16, 4, 2>::empty().split());
+    of::<u16>(grid);
+    of::<i16>(grid);
+    of::<u32>(grid);
+    of::<i32>(grid);
+}
+
+fn of<D: DistanceCell>(grid: &StaticOccupancyGrid<CELLS>) {
+    let cells = &mut opaque([D::default(); 12])[..];
+    let vertices = &mut opaque([EnvelopeVertex::EMPTY; 12])[..];
+    compute(grid, DistanceBuffers { cells, vertices });
 }
 
 fn compute<D: DistanceCell>(grid: &StaticOccupancyGrid<CELLS>, buffers: DistanceBuffers<'_, D>) {

@@ -30,8 +30,16 @@ pub fn call(cells: &mut [u8; CELLS], ranges: &[f32]) {
         ..LocalGridMapConfig::new()
     };
     need(config.set(opaque("width"), opaque(PropertyValue::Int(50))));
-    need(config.get(opaque("footprint")).map(|value| value.kind().as_str().len()));
-    need(opaque("circular").parse::<Footprint>().map(|footprint| footprint.as_str().len()));
+    need(
+        config
+            .get(opaque("footprint"))
+            .map(|value| value.kind().as_str().len()),
+    );
+    need(
+        opaque("circular")
+            .parse::<Footprint>()
+            .map(|footprint| footprint.as_str().len()),
+    );
     need((LocalGridMapConfig::properties().len(), config.validate().is_ok()));
     need(config.lidar_names().count());
 
@@ -87,10 +95,20 @@ fn sense(state: &mut SensingState<'_>, lidars: &[Lidar<'_>], ranges: &[f32]) {
     need(state.reserve::<u8>(opaque("x"), opaque("y"), opaque(3)));
     let shape = opaque(Shape::grid(opaque(1), opaque(3)));
     need(state.write::<f32>(opaque("a"), opaque("range"), shape, opaque(&[1.0, 2.0, 3.0])));
-    need(state.write::<u8>(opaque("x"), opaque("y"), Shape::line(opaque(3)), opaque(&[1, 2, 3])));
+    need(state.write::<u8>(
+        opaque("x"),
+        opaque("y"),
+        Shape::line(opaque(3)),
+        opaque(&[1, 2, 3]),
+    ));
     if let Some(view) = state.read::<f32>(opaque("a"), opaque("range")) {
         let shape = view.shape();
-        need((shape.dimensions(), shape.rows(), shape.columns(), shape.elements()));
+        need((
+            shape.dimensions(),
+            shape.rows(),
+            shape.columns(),
+            shape.elements(),
+        ));
         need(view.data().len());
     }
 }
@@ -100,7 +118,10 @@ fn read(map: &LocalGridMap<'_, &mut [u8]>) {
     need((map.width(), map.height(), map.resolution(), map.offset()));
     need((map.origin(), map.data().len(), map.info().cells()));
     need((map.config().lidars.len(), map.transformation()));
-    need((map.value(opaque(1), opaque(2)), map.occupancy(opaque(1), opaque(2))));
+    need((
+        map.value(opaque(1), opaque(2)),
+        map.occupancy(opaque(1), opaque(2)),
+    ));
     need((map.cell_at(x, y), map.value_at(x, y)));
     need(map.occupancies().map(i32::from).sum::<i32>());
 }

@@ -1,6 +1,6 @@
 use horus_core::grid::{
-    At, DenseGrid2, Frame, GridView, HorusValues, InFrame, LinearGrid2, Local, LocalMapValues,
-    OccupancyGrid2d, Point, RegularGrid, TrinaryValues, ValueTraits,
+    At, DenseGrid2, Frame, GridView, HorusValues, InFrame, Local, LocalMapValues, OccupancyGrid2d, Point,
+    TrinaryValues, ValueTraits,
 };
 use horus_core::nalgebra::{Isometry2, Point2, UnitComplex, Vector2};
 use horus_core::prelude::*;
