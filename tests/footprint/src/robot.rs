@@ -14,12 +14,23 @@ pub fn drive<F: FieldCell>(
 ) -> Result<(), Error> {
     let mut map = map(cells, buffers, side)?;
     loop {
-        let pose = opaque(Pose2D::new(0.4, 0.7, 0.0));
-        need(map.recenter(pose)?);
-        need(map.integrate_scan(&scan(ranges), pose, ScanModel::Set, workspace)?);
-        need(map.update_costs());
-        need((map.cost(opaque(1.0), 2.0), map.cost_at(opaque(1), 2)));
+        tick(&mut map, workspace, ranges)?;
     }
+}
+
+/// One turn of it: move, scan, update, look up.
+#[inline(always)]
+pub fn tick<F: FieldCell>(
+    map: &mut CostMap<'_, F>,
+    workspace: &mut ScanWorkspace<'_>,
+    ranges: &[f32],
+) -> Result<(), Error> {
+    let pose = opaque(Pose2D::new(0.4, 0.7, 0.0));
+    need(map.recenter(pose)?);
+    need(map.integrate_scan(&scan(ranges), pose, ScanModel::Set, workspace)?);
+    need(map.update_costs());
+    need((map.cost(opaque(1.0), 2.0), map.cost_at(opaque(1), 2)));
+    Ok(())
 }
 
 /// Every operation of a cost map.
@@ -51,8 +62,9 @@ pub fn use_all<F: FieldCell>(
     }
 }
 
+/// A cost map of so many cells along either side.
 #[inline(always)]
-fn map<'a, F: FieldCell>(
+pub fn map<'a, F: FieldCell>(
     cells: &'a mut [i8],
     buffers: CostBuffers<'a, F>,
     side: u32,
