@@ -149,8 +149,8 @@ impl<S: AsRef<[i8]> + AsMut<[i8]>> OccupancyGrid<S> {
 
     /// Moves the window to another offset, within 2^30 cells; returns the cells moved, saturating.
     pub(crate) fn move_to(&mut self, offset: [i32; 2]) -> [i32; 2] {
-        let from = self.info.offset();
-        let shift = [0, 1].map(|axis| offset[axis].saturating_sub(from[axis]));
+        let ([x, y], [from_x, from_y]) = (offset, self.info.offset());
+        let shift = [x.saturating_sub(from_x), y.saturating_sub(from_y)];
         self.shift_cells(shift);
         self.info.move_to(offset);
         shift

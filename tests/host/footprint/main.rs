@@ -33,8 +33,9 @@ const BOUNDS: [Bound; 8] = [
 ];
 /// What `cost_map` should take.
 const TARGET: u64 = 16 * KIB;
-/// What the part of libm that core uses may take.
-const LIBM: u64 = 16 * KIB;
+/// What the part of libm that core uses may take; the local map, which takes angles apart, needs more of it.
+const LIBM: u64 = 15 * KIB;
+const LIBM_OF_LOCAL_MAPS: u64 = 16 * KIB;
 
 impl Bound {
     fn of(&self, profile: Profile) -> u64 {
@@ -76,9 +77,14 @@ fn flash_per_feature_is_bounded() {
                 "{:21} | {level:9} | {core:5} | {runtime:19} | {libm:5}",
                 bound.program
             );
-            if libm > LIBM {
+            let libm_allowed = if bound.program == "local_map" {
+                LIBM_OF_LOCAL_MAPS
+            } else {
+                LIBM
+            };
+            if libm > libm_allowed {
                 too_large.push(format!(
-                    "libm in {} at {level}: {libm}, {LIBM} allowed",
+                    "libm in {} at {level}: {libm}, {libm_allowed} allowed",
                     bound.program
                 ));
             }
