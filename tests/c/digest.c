@@ -28,11 +28,6 @@ static void hash_rect(uint32_t *hash, horus_cell_rect rect)
     hash_word(hash, rect.y1);
 }
 
-static float metres(int32_t mm)
-{
-    return (float)mm * 0.001f;
-}
-
 static horus_pose2d pose_at(int32_t tick)
 {
     int32_t jump = tick == 20 ? 30000 : 0; /* out of the window and back */

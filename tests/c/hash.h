@@ -34,4 +34,9 @@ static inline uint32_t next(uint32_t *noise)
     return *noise >> 8;
 }
 
+static inline float metres(int32_t mm)
+{
+    return (float)mm * 0.001f;
+}
+
 #endif

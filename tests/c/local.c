@@ -9,11 +9,6 @@ enum { WIDTH = 90, HEIGHT = 70, CELLS = WIDTH * HEIGHT, BEAMS = 120, TICKS = 32,
 
 static HORUS_MEMORY(memory, HORUS_LOCAL_MAP_BYTES(WIDTH, HEIGHT, LIDARS, BEAMS, 1));
 
-static float metres(int32_t mm)
-{
-    return (float)mm * 0.001f;
-}
-
 static horus_pose2d pose(float x, float y, float theta)
 {
     horus_pose2d made = { x, y, theta };

@@ -7,6 +7,7 @@ use horus_core::raycast::{RayCaster, WalkRule};
 
 use crate::Arena;
 use crate::hash::Hash;
+use crate::made_up::next;
 use crate::report::Line;
 
 /// Columns of the map.
@@ -36,13 +37,6 @@ impl Storage {
 }
 
 type Grid<'a> = OccupancyGrid<&'a mut [i8]>;
-
-fn next(noise: &mut u32) -> u32 {
-    *noise ^= *noise << 13;
-    *noise ^= *noise >> 17;
-    *noise ^= *noise << 5;
-    *noise >> 8
-}
 
 /// Mostly free; the upper part has no obstacle, so that the greatest distances are there.
 fn fill(grid: &mut Grid<'_>) {

@@ -7,6 +7,7 @@ use horus_core::costmap::FieldCell;
 use horus_core::prelude::*;
 
 use crate::hash::Hash;
+use crate::made_up::{metres, next};
 use crate::report::Line;
 
 /// Columns of every map.
@@ -66,18 +67,6 @@ pub fn far() -> Scenario {
         model: ScanModel::Set,
         budget: None,
     }
-}
-
-/// Metres from millimetres: the one rounding of the input.
-fn metres(mm: i32) -> f32 {
-    mm as f32 * 0.001
-}
-
-fn next(noise: &mut u32) -> u32 {
-    *noise ^= *noise << 13;
-    *noise ^= *noise >> 17;
-    *noise ^= *noise << 5;
-    *noise >> 8
 }
 
 fn pose_at(tick: i32) -> Pose2D {

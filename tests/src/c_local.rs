@@ -5,6 +5,7 @@
 use horus_core::prelude::*;
 
 use crate::hash::Hash;
+use crate::made_up::{metres, next};
 use crate::report::Line;
 
 /// Columns.
@@ -52,17 +53,6 @@ pub const SCENARIOS: [Scenario; 3] = [
         radius: 0.0,
     },
 ];
-
-fn metres(mm: i32) -> f32 {
-    mm as f32 * 0.001
-}
-
-fn next(noise: &mut u32) -> u32 {
-    *noise ^= *noise << 13;
-    *noise ^= *noise >> 17;
-    *noise ^= *noise << 5;
-    *noise >> 8
-}
 
 fn pose_at(tick: i32) -> Pose2D {
     let jump = if tick == 20 { 30_000 } else { 0 }; // out of the window and back

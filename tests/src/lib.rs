@@ -1,8 +1,8 @@
 //! Programs whose text runs on the host and, in QEMU, on a Cortex-M4F.
 //!
 //! [`rt`] is what they stand on (start, print, send, exit), [`drive`] the scripted drive, [`report`] its
-//! hashes, which must be the same everywhere, [`streaming`] how it becomes a stream of frames, [`c_drive`] and
-//! [`c_distance`] what C programs repeat, [`meter`] and [`workload`] what is measured and on what.
+//! hashes, which must be the same everywhere, [`streaming`] how it becomes a stream of frames, [`c_drive`],
+//! [`c_distance`] and [`c_local`] what C programs repeat, [`meter`] and [`workload`] what is measured and on what.
 #![no_std]
 
 mod arena;
@@ -11,6 +11,7 @@ pub mod c_drive;
 pub mod c_local;
 pub mod drive;
 pub mod hash;
+mod made_up;
 pub mod meter;
 mod once;
 pub mod report;
