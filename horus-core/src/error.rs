@@ -52,6 +52,14 @@ pub enum Error {
     /// A polygon with fewer than three vertices, or with a vertex that is not finite or is
     /// farther than 2^30 cells away.
     InvalidPolygon,
+    /// Belief masses outside 0 to 1, or that do not sum to 1.
+    InvalidMasses,
+    /// A scan without beams.
+    EmptyScan,
+    /// No fusion operator has this name.
+    UnknownFusionOperator,
+    /// This type of mass cell is too coarse for the fusion operator.
+    UnsupportedFusion,
 }
 
 /// The buffer that was too short.
@@ -74,6 +82,8 @@ pub enum Buffer {
     Seen,
     /// A frame being built, see [`MIN_BUFFER`](crate::frames::MIN_BUFFER).
     Frame,
+    /// Classes of a sensor grid, see [`class_bytes`](crate::evidence::class_bytes).
+    Classes,
 }
 
 /// The parameter that was out of range.
@@ -90,6 +100,16 @@ pub enum Parameter {
     LethalThreshold,
     /// `inscribed_radius`: finite and >= 0 metres.
     InscribedRadius,
+    /// `ignorance_floor`: 0 to below 1.
+    IgnoranceFloor,
+    /// `relative_offset`: finite.
+    RelativeOffset,
+    /// `wall_thickness`: finite and >= 0 metres.
+    WallThickness,
+    /// `max_free_range`: >= 0 metres.
+    MaxFreeRange,
+    /// `beam_half_width`: >= 0 radians.
+    BeamHalfWidth,
 }
 
 impl Parameter {
@@ -101,6 +121,11 @@ impl Parameter {
             Self::LethalCost => "lethal_cost must be 2 to 254",
             Self::LethalThreshold => "lethal_threshold must be 1 to 100",
             Self::InscribedRadius => "inscribed_radius must be finite and not negative",
+            Self::IgnoranceFloor => "ignorance_floor must be 0 to below 1",
+            Self::RelativeOffset => "relative_offset must be finite",
+            Self::WallThickness => "wall_thickness must be finite and not negative",
+            Self::MaxFreeRange => "max_free_range must not be negative",
+            Self::BeamHalfWidth => "beam_half_width must not be negative",
         }
     }
 }
@@ -139,6 +164,12 @@ impl fmt::Display for Error {
                 write!(f, "a budget of {given} cell visits is below the smallest, {min}")
             }
             Self::InvalidPolygon => f.write_str("a polygon needs three or more finite vertices"),
+            Self::InvalidMasses => f.write_str("belief masses must be 0 to 1 and sum to 1"),
+            Self::EmptyScan => f.write_str("a scan has no beams"),
+            Self::UnknownFusionOperator => {
+                f.write_str("a fusion operator is pcr6, dempster_shafer, josang_average or josang_cumulative")
+            }
+            Self::UnsupportedFusion => f.write_str("u8 mass cells take only pcr6 and josang_average"),
         }
     }
 }

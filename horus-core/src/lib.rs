@@ -8,7 +8,7 @@
 //!
 //! # Layers
 //! Each uses only what stands left of it:
-//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`costmap`] < [`frames`] < `c_abi`
+//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`costmap`] < [`evidence`] < [`frames`] < `c_abi`
 //! (the library from C; feature `c-abi`).
 //!
 //! # Frames and units
@@ -23,6 +23,7 @@ extern crate std;
 pub mod c_abi;
 pub mod costmap;
 pub mod error;
+pub mod evidence;
 pub mod frames;
 pub mod geometry;
 pub mod grid;

@@ -51,6 +51,7 @@ mod cost_map;
 mod cost_params;
 mod decay;
 mod error;
+pub mod evidence;
 mod footprint;
 mod frame;
 mod grid;

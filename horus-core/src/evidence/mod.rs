@@ -1,0 +1,19 @@
+//! Evidence grids: belief masses free, occupied and uncertain per cell (Dempster-Shafer theory), which
+//! keep "nobody looked" apart from "the sensors disagree".
+
+mod fusion;
+mod grid;
+mod lattice;
+mod mass;
+mod resample;
+mod scan;
+
+pub use self::fusion::{FusionOperator, FusionReport, FusionRule, fuse};
+use self::fusion::{Kernel, Tally};
+pub use self::grid::EvidenceFusion;
+pub use self::lattice::Lattice;
+pub use self::mass::{EvidenceF32, EvidenceU8, EvidenceU16, MassCell, Masses};
+pub use self::resample::resample;
+pub use self::scan::{
+    BeamLimits, Flatscan, ScanClass, SensorGrid, SensorModel, class_bytes, scan_to_evidence,
+};

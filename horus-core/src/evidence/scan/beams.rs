@@ -1,0 +1,199 @@
+use core::f32::consts::{PI, TAU};
+
+use super::{Flatscan, ScanClass, SensorModel};
+use crate::error::{Buffer, Error, require};
+
+/// How far one beam of a scan frees and occupies cells: squared metres. Storage of a scan's
+/// projection, one per beam, 8 bytes; the contents do not matter between calls.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BeamLimits {
+    /// Cells nearer than this are free.
+    free: f32,
+    /// Cells from there on and nearer than this are occupied.
+    occupied: f32,
+}
+
+impl BeamLimits {
+    /// All bits zero: a beam that says nothing.
+    pub const EMPTY: Self = Self {
+        free: 0.0,
+        occupied: 0.0,
+    };
+
+    fn new(range: f32, visibility: f32, scan: &Flatscan<'_>, model: &SensorModel) -> Self {
+        // A NaN fails the comparison, and -inf is below every threshold.
+        let is_valid = range > scan.invalid_range_threshold && visibility > 0.0;
+        if !is_valid {
+            return Self::EMPTY;
+        }
+        let (free, occupied) = if range >= scan.out_of_range_threshold || range == f32::INFINITY {
+            let reach = model.max_free_range.unwrap_or(scan.out_of_range_threshold);
+            (reach * reach, reach * reach)
+        } else {
+            let back = range + model.wall_thickness;
+            (range * range, back * back)
+        };
+        let seen = visibility * visibility;
+        Self {
+            free: free.min(seen),
+            occupied: occupied.min(seen),
+        }
+    }
+
+    #[inline]
+    fn class(&self, d2: f32) -> ScanClass {
+        if d2 < self.free {
+            ScanClass::Free
+        } else if d2 < self.occupied {
+            ScanClass::Occupied
+        } else {
+            ScanClass::Vacuous
+        }
+    }
+}
+
+/// The beams of a checked scan.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Beams<'a> {
+    angles: &'a [f32],
+    limits: &'a [BeamLimits],
+    /// Angle over which the last and the first beam are neighbours; `None`: they are not.
+    closing_gap: Option<f32>,
+    half_width: Option<f32>,
+    /// Squared metres from which on no beam says anything.
+    pub(crate) reach: f32,
+}
+
+impl<'a> Beams<'a> {
+    /// Checks scan and model, and computes the limits.
+    pub(crate) fn new(
+        scan: &Flatscan<'a>,
+        model: &SensorModel,
+        limits: &'a mut [BeamLimits],
+    ) -> Result<Self, Error> {
+        scan.validate()?;
+        model.validate()?;
+        let angles = scan.angles;
+        require(Buffer::Beams, angles.len(), limits.len())?;
+        if angles.len() == 1 && model.beam_half_width.is_none() {
+            return Err(Error::InvalidScan);
+        }
+        let limits = limits.get_mut(..angles.len()).unwrap_or_default();
+        let mut reach = 0.0f32;
+        let mut visibilities = scan.visibilities.unwrap_or_default().iter();
+        for (limits, range) in limits.iter_mut().zip(scan.ranges) {
+            let visibility = visibilities.next().copied().unwrap_or(f32::INFINITY);
+            *limits = BeamLimits::new(*range, visibility, scan, model);
+            reach = reach.max(limits.occupied);
+        }
+        Ok(Self {
+            angles,
+            limits,
+            closing_gap: closing_gap(angles),
+            half_width: model.beam_half_width,
+            reach,
+        })
+    }
+
+    /// What the scan says about a cell at squared distance `d2` in direction `a`. `beam` is any
+    /// beam, best that of a cell nearby; it becomes the nearest.
+    #[inline]
+    pub(crate) fn class(&self, a: f32, d2: f32, beam: &mut usize) -> ScanClass {
+        let difference = self.nearest(a, beam);
+        if self.covers(*beam, difference) {
+            self.limits.get(*beam).copied().unwrap_or_default().class(d2)
+        } else {
+            ScanClass::Vacuous
+        }
+    }
+
+    /// Walks from `beam` around the circle to the beam nearest to direction `a`; of two as near, the
+    /// lower index. Returns the direction as seen from that beam.
+    #[inline]
+    fn nearest(&self, a: f32, beam: &mut usize) -> f32 {
+        let mut best = self.difference(a, *beam);
+        // Distances around a circle fall up to the nearest beam and rise behind it, so the first
+        // beam that is no nearer ends the walk.
+        if best >= 0.0 {
+            while self.improve(a, beam, &mut best, self.after(*beam)) {}
+            // The lower index of a tie, and a start just beyond the beam behind.
+            while self.improve(a, beam, &mut best, self.before(*beam)) {}
+        } else {
+            while self.improve(a, beam, &mut best, self.before(*beam)) {}
+            while self.improve(a, beam, &mut best, self.after(*beam)) {}
+        }
+        best
+    }
+
+    /// Takes `candidate` if it is nearer, or as near and lower.
+    #[inline]
+    fn improve(&self, a: f32, beam: &mut usize, best: &mut f32, candidate: usize) -> bool {
+        let difference = self.difference(a, candidate);
+        let (old, new) = (best.abs(), difference.abs());
+        let better = new < old || (new == old && candidate < *beam);
+        if better {
+            *beam = candidate;
+            *best = difference;
+        }
+        better
+    }
+
+    #[inline]
+    fn after(&self, beam: usize) -> usize {
+        let next = beam.wrapping_add(1);
+        if next < self.angles.len() { next } else { 0 }
+    }
+
+    #[inline]
+    fn before(&self, beam: usize) -> usize {
+        beam.checked_sub(1).unwrap_or(self.angles.len().saturating_sub(1))
+    }
+
+    /// Direction `a` seen from a beam, within a half turn to both sides.
+    #[inline]
+    fn difference(&self, a: f32, beam: usize) -> f32 {
+        let difference = a - self.angle(beam);
+        if difference > PI {
+            difference - TAU
+        } else if difference < -PI {
+            difference + TAU
+        } else {
+            difference
+        }
+    }
+
+    #[inline]
+    fn angle(&self, beam: usize) -> f32 {
+        self.angles.get(beam).copied().unwrap_or(0.0)
+    }
+
+    #[inline]
+    fn covers(&self, beam: usize, difference: f32) -> bool {
+        if let Some(half) = self.half_width {
+            return difference.abs() <= half;
+        }
+        let last = self.angles.len().wrapping_sub(1);
+        let gap = if difference >= 0.0 {
+            if beam < last {
+                self.angle(beam.wrapping_add(1)) - self.angle(beam)
+            } else {
+                self.closing_gap
+                    .unwrap_or(self.angle(last) - self.angle(last.wrapping_sub(1)))
+            }
+        } else if beam > 0 {
+            self.angle(beam) - self.angle(beam.wrapping_sub(1))
+        } else {
+            self.closing_gap.unwrap_or(self.angle(1) - self.angle(0))
+        };
+        difference.abs() <= 0.5 * gap
+    }
+}
+
+/// The gap between the last and the first beam of a full circle: at most 1.5 times the largest other.
+fn closing_gap(angles: &[f32]) -> Option<f32> {
+    let (first, last) = (angles.first()?, angles.last()?);
+    let closing = (first + TAU) - last;
+    let gaps = angles.iter().zip(angles.iter().skip(1)).map(|(a, b)| b - a);
+    let largest = gaps.fold(0.0, f32::max);
+    (closing <= 1.5 * largest).then_some(closing)
+}

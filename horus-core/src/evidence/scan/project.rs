@@ -1,0 +1,122 @@
+use super::super::lattice::Centers;
+use super::super::{Lattice, MassCell};
+use super::beams::Beams;
+use super::{BeamLimits, Flatscan, ScanClass, SensorModel};
+use crate::error::{Buffer, Error, require};
+use crate::geometry::Pose2D;
+use crate::math;
+
+/// Where a sensor stands in the frame of a lattice, ready to be asked about cell centres.
+struct Viewpoint {
+    x: f32,
+    y: f32,
+    cos: f32,
+    sin: f32,
+}
+
+impl Viewpoint {
+    fn new(pose: Pose2D) -> Self {
+        let (cos, sin) = math::cos_sin(pose.theta);
+        Self {
+            x: pose.x,
+            y: pose.y,
+            cos,
+            sin,
+        }
+    }
+
+    /// A point in the sensor's frame.
+    #[inline]
+    fn see(&self, (x, y): (f32, f32)) -> (f32, f32) {
+        let (dx, dy) = (x - self.x, y - self.y);
+        (self.cos * dx + self.sin * dy, self.cos * dy - self.sin * dx)
+    }
+}
+
+/// The projection of one scan into a lattice, line by line along x.
+pub(super) struct Projection<'a> {
+    beams: Beams<'a>,
+    centers: Centers,
+    viewpoint: Viewpoint,
+    rows: u32,
+    /// The beam nearest to the cell before.
+    beam: usize,
+}
+
+impl<'a> Projection<'a> {
+    /// Checks everything.
+    pub(super) fn new(
+        scan: &Flatscan<'a>,
+        sensor: Pose2D,
+        lattice: &Lattice,
+        model: &SensorModel,
+        limits: &'a mut [BeamLimits],
+    ) -> Result<Self, Error> {
+        lattice.validate()?;
+        if !sensor.is_finite() {
+            return Err(Error::NonFinitePose);
+        }
+        Ok(Self {
+            beams: Beams::new(scan, model, limits)?,
+            centers: lattice.centers(),
+            viewpoint: Viewpoint::new(sensor),
+            rows: lattice.rows,
+            beam: 0,
+        })
+    }
+
+    /// Shows the classes of a column's cells, from row 0 on.
+    #[inline]
+    pub(super) fn line(&mut self, col: u32, mut show: impl FnMut(ScanClass)) {
+        for row in 0..self.rows {
+            let (x, y) = self.viewpoint.see(self.centers.at(row, col));
+            let d2 = x * x + y * y;
+            show(if d2 < self.beams.reach {
+                self.beams.class(math::atan2(y, x), d2, &mut self.beam)
+            } else {
+                ScanClass::Vacuous
+            });
+        }
+    }
+}
+
+/// Turns a scan into an evidence grid: what the sensor, which stands at `sensor` in the frame of the
+/// lattice (metres, radians; its mounting pose, for a lattice around the robot), says about each cell.
+///
+/// Each cell asks the beam nearest to it in angle: before the hit it is `m_free`, from the hit to
+/// `wall_thickness` behind it `m_occ`, behind that vacuous. A beam reaches half way to its
+/// neighbours; beams that close a circle are neighbours, too. Cells that no beam covers, and those of
+/// beams without a usable range, are vacuous. All in f32, in the order that
+/// `horus_host::reference` writes out, so that no cell may differ.
+///
+/// # Errors
+/// As [`Flatscan::validate`] and [`SensorModel::validate`]; [`Error::InvalidScan`] for a single beam
+/// without `beam_half_width`; [`Error::NonFinitePose`]; as [`Lattice::validate`];
+/// [`Error::BufferTooSmall`] if there are fewer `limits` than beams, or fewer cells than the lattice
+/// has. Nothing has changed then.
+///
+/// # Complexity
+/// One write per cell; one arc tangent per cell within reach of some beam, and a walk over the beams
+/// between one cell and the next.
+pub fn scan_to_evidence<M: MassCell>(
+    scan: &Flatscan<'_>,
+    sensor: Pose2D,
+    lattice: &Lattice,
+    model: &SensorModel,
+    limits: &mut [BeamLimits],
+    cells: &mut [M],
+) -> Result<(), Error> {
+    let mut projection = Projection::new(scan, sensor, lattice, model, limits)?;
+    require(Buffer::Cells, lattice.cells(), cells.len())?;
+    let masses = [ScanClass::Vacuous, ScanClass::Free, ScanClass::Occupied]
+        .map(|class| M::from_masses(class.masses(model)));
+    let mut cells = cells.iter_mut();
+    for col in 0..lattice.cols {
+        projection.line(col, |class| {
+            if let Some(cell) = cells.next() {
+                *cell = masses.get(class as usize).copied().unwrap_or_default();
+            }
+        });
+    }
+    Ok(())
+}
