@@ -58,6 +58,10 @@ pub enum Error {
     EmptyScan,
     /// No fusion operator has this name.
     UnknownFusionOperator,
+    /// A scan names a sensor that there is not.
+    UnknownSensor(usize),
+    /// A sensor stands outside the fused map.
+    SensorOutsideMap(usize),
     /// This type of mass cell is too coarse for the fusion operator.
     UnsupportedFusion,
 }
@@ -110,6 +114,16 @@ pub enum Parameter {
     MaxFreeRange,
     /// `beam_half_width`: >= 0 radians.
     BeamHalfWidth,
+    /// `free_threshold`: 0 to 1.
+    FreeThreshold,
+    /// `occupied_threshold`: 0 to 1.
+    OccupiedThreshold,
+    /// The rectangle of an [`Inpaint`](crate::evidence::Inpaint): finite, each side in order.
+    InpaintRectangle,
+    /// `max_uncertain`: 0 to 1.
+    MaxUncertain,
+    /// `max_distance`: above 0 metres.
+    MaxDistance,
 }
 
 impl Parameter {
@@ -126,6 +140,11 @@ impl Parameter {
             Self::WallThickness => "wall_thickness must be finite and not negative",
             Self::MaxFreeRange => "max_free_range must not be negative",
             Self::BeamHalfWidth => "beam_half_width must not be negative",
+            Self::FreeThreshold => "free_threshold must be 0 to 1",
+            Self::OccupiedThreshold => "occupied_threshold must be 0 to 1",
+            Self::InpaintRectangle => "an inpaint rectangle must be finite, its sides in order",
+            Self::MaxUncertain => "max_uncertain must be 0 to 1",
+            Self::MaxDistance => "max_distance must be above zero",
         }
     }
 }
@@ -169,6 +188,8 @@ impl fmt::Display for Error {
             Self::UnknownFusionOperator => {
                 f.write_str("a fusion operator is pcr6, dempster_shafer, josang_average or josang_cumulative")
             }
+            Self::UnknownSensor(index) => write!(f, "there is no sensor {index}"),
+            Self::SensorOutsideMap(index) => write!(f, "sensor {index} stands outside the map"),
             Self::UnsupportedFusion => f.write_str("u8 mass cells take only pcr6 and josang_average"),
         }
     }

@@ -148,6 +148,14 @@ impl<'a, M: MassCell> EvidenceFusion<'a, M> {
     /// One read of four neighbours per cell, and a fusion per cell that is not vacuous (under Josang's
     /// average: per cell).
     pub fn fuse(&mut self, sensor: &SensorGrid<'_>, world_from_frame: Pose2D) -> Result<FusionReport, Error> {
+        self.tally(sensor, world_from_frame).map(Tally::report::<M>)
+    }
+
+    pub(super) fn tally(
+        &mut self,
+        sensor: &SensorGrid<'_>,
+        world_from_frame: Pose2D,
+    ) -> Result<Tally, Error> {
         self.fuse_sampled(&ClassSampler::new(sensor), sensor.lattice(), world_from_frame)
     }
 
@@ -168,6 +176,7 @@ impl<'a, M: MassCell> EvidenceFusion<'a, M> {
         lattice.validate()?;
         require(Buffer::Cells, lattice.cells(), cells.len())?;
         self.fuse_sampled(&CellSampler { cells, lattice }, lattice, world_from_frame)
+            .map(Tally::report::<M>)
     }
 
     fn fuse_sampled<S: Sampler<M>>(
@@ -175,7 +184,7 @@ impl<'a, M: MassCell> EvidenceFusion<'a, M> {
         sampler: &S,
         lattice: &Lattice,
         world_from_frame: Pose2D,
-    ) -> Result<FusionReport, Error> {
+    ) -> Result<Tally, Error> {
         if !world_from_frame.is_finite() {
             return Err(Error::NonFinitePose);
         }
@@ -191,7 +200,7 @@ impl<'a, M: MassCell> EvidenceFusion<'a, M> {
                     tally.add(M::fuse(&self.prepared, chunk, &[M::VACUOUS; CHUNK]));
                 }
             }
-            return Ok(tally.report::<M>());
+            return Ok(tally);
         };
         for line in self.cells.chunks_exact_mut(size[0].max(1) as usize) {
             let mut places = walk;
@@ -208,6 +217,6 @@ impl<'a, M: MassCell> EvidenceFusion<'a, M> {
             }
             walk.next_line();
         }
-        Ok(tally.report::<M>())
+        Ok(tally)
     }
 }

@@ -1,6 +1,6 @@
+use super::viewpoint::Viewpoint;
 use crate::error::{Error, Parameter};
 use crate::geometry::{GridInfo, Pose2D};
-use crate::math;
 
 /// Where the cells of an evidence grid lie: Isaac's lattice.
 ///
@@ -120,12 +120,9 @@ impl Lattice {
         self.centers().at(row, col)
     }
 
-    pub(crate) fn centers(&self) -> Centers {
-        let (cos, sin) = math::cos_sin(self.pose.theta);
+    pub(super) fn centers(&self) -> Centers {
         Centers {
-            pose: self.pose,
-            cos,
-            sin,
+            pose: Viewpoint::new(self.pose),
             cell: self.cell_size,
         }
     }
@@ -133,21 +130,15 @@ impl Lattice {
 
 /// Computes cell centres.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Centers {
-    pose: Pose2D,
-    cos: f32,
-    sin: f32,
+pub(super) struct Centers {
+    pose: Viewpoint,
     cell: f32,
 }
 
 impl Centers {
     #[inline]
-    pub(crate) fn at(&self, row: u32, col: u32) -> (f32, f32) {
-        let (x, y) = (self.along(row), self.along(col));
-        (
-            self.pose.x + (self.cos * x - self.sin * y),
-            self.pose.y + (self.sin * x + self.cos * y),
-        )
+    pub(super) fn at(&self, row: u32, col: u32) -> (f32, f32) {
+        self.pose.point((self.along(row), self.along(col)))
     }
 
     #[inline]

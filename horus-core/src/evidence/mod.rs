@@ -4,15 +4,23 @@
 mod fusion;
 mod grid;
 mod lattice;
+mod mapping;
 mod mass;
+mod post;
 mod resample;
 mod scan;
+mod viewpoint;
 
 pub use self::fusion::{FusionOperator, FusionReport, FusionRule, fuse};
 use self::fusion::{Kernel, Tally};
 pub use self::grid::EvidenceFusion;
 pub use self::lattice::Lattice;
+pub use self::mapping::{
+    LocalMapping, LocalMappingBuffers, LocalMappingConfig, MappingBuffers, SensorConfig, SensorScan,
+    TickReport,
+};
 pub use self::mass::{EvidenceF32, EvidenceU8, EvidenceU16, MassCell, Masses};
+pub use self::post::{BinaryMap, BinaryThresholds, Inpaint, InpaintFrame, evidence_to_occupancy};
 pub use self::resample::resample;
 pub use self::scan::{
     BeamLimits, Flatscan, ScanClass, SensorGrid, SensorModel, class_bytes, scan_to_evidence,

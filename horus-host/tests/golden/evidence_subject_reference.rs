@@ -20,13 +20,7 @@ fn from(m: &std_version::Masses) -> Masses {
 
 /// The fusion of two cells in every way of the subject, without an ignorance floor: name, tolerance, result.
 pub fn fuse(rule: &str, one: Masses, two: Masses) -> Vec<(&'static str, f64, Option<Masses>)> {
-    let operator = match rule {
-        "pcr6" => FusionOperator::Pcr6,
-        "dempster_shafer" => FusionOperator::DempsterShafer,
-        "josang_average" => FusionOperator::JosangAverage,
-        "josang_cumulative" => FusionOperator::JosangCumulative,
-        other => panic!("{other}"),
-    };
+    let operator = FusionOperator::from_name(rule).expect("an operator");
     let fused = std_version::fuse(operator, 0.0, to(one), to(two));
     vec![("std version", 1e-12, fused.as_ref().map(from))]
 }

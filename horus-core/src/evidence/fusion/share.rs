@@ -59,11 +59,7 @@ mod tests {
 
     fn literal(p: u32, q: u32) -> u32 {
         let (p, q) = (u64::from(p), u64::from(q));
-        if p + q == 0 {
-            0
-        } else {
-            (p * p * q / (p + q)) as u32
-        }
+        (p * p * q).checked_div(p + q).unwrap_or(0) as u32
     }
 
     fn check(p: u32, q: u32) {

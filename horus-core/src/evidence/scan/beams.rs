@@ -75,9 +75,7 @@ impl<'a> Beams<'a> {
         model.validate()?;
         let angles = scan.angles;
         require(Buffer::Beams, angles.len(), limits.len())?;
-        if angles.len() == 1 && model.beam_half_width.is_none() {
-            return Err(Error::InvalidScan);
-        }
+        model.check_beams(angles.len())?;
         let limits = limits.get_mut(..angles.len()).unwrap_or_default();
         let mut reach = 0.0f32;
         let mut visibilities = scan.visibilities.unwrap_or_default().iter();

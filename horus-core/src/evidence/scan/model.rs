@@ -35,6 +35,15 @@ impl Default for SensorModel {
 }
 
 impl SensorModel {
+    /// An error unless scans of so many beams have widths.
+    pub(crate) fn check_beams(&self, beams: usize) -> Result<(), Error> {
+        if beams > 1 || self.beam_half_width.is_some() {
+            Ok(())
+        } else {
+            Err(Error::InvalidScan)
+        }
+    }
+
     /// Checks the numbers.
     ///
     /// # Errors

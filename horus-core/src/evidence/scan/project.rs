@@ -1,37 +1,11 @@
 use super::super::lattice::Centers;
+use super::super::viewpoint::Viewpoint;
 use super::super::{Lattice, MassCell};
 use super::beams::Beams;
 use super::{BeamLimits, Flatscan, ScanClass, SensorModel};
 use crate::error::{Buffer, Error, require};
 use crate::geometry::Pose2D;
 use crate::math;
-
-/// Where a sensor stands in the frame of a lattice, ready to be asked about cell centres.
-struct Viewpoint {
-    x: f32,
-    y: f32,
-    cos: f32,
-    sin: f32,
-}
-
-impl Viewpoint {
-    fn new(pose: Pose2D) -> Self {
-        let (cos, sin) = math::cos_sin(pose.theta);
-        Self {
-            x: pose.x,
-            y: pose.y,
-            cos,
-            sin,
-        }
-    }
-
-    /// A point in the sensor's frame.
-    #[inline]
-    fn see(&self, (x, y): (f32, f32)) -> (f32, f32) {
-        let (dx, dy) = (x - self.x, y - self.y);
-        (self.cos * dx + self.sin * dy, self.cos * dy - self.sin * dx)
-    }
-}
 
 /// The projection of one scan into a lattice, line by line along x.
 pub(super) struct Projection<'a> {

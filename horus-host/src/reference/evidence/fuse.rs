@@ -15,6 +15,19 @@ pub enum FusionOperator {
     JosangCumulative,
 }
 
+impl FusionOperator {
+    /// The operator of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "pcr6" => Some(Self::Pcr6),
+            "dempster_shafer" => Some(Self::DempsterShafer),
+            "josang_average" => Some(Self::JosangAverage),
+            "josang_cumulative" => Some(Self::JosangCumulative),
+            _ => None,
+        }
+    }
+}
+
 /// Fuses two cells; `floor` is the least uncertain mass under Dempster's and Josang's cumulative rule (0: none).
 ///
 /// `None`: Dempster's rule is undefined, because the conflict is total.
