@@ -64,6 +64,8 @@ pub enum Error {
     SensorOutsideMap(usize),
     /// This type of mass cell is too coarse for the fusion operator.
     UnsupportedFusion,
+    /// A window of cells that reaches out of its grid, or whose end lies before its start.
+    WindowOutside,
 }
 
 /// The buffer that was too short.
@@ -88,6 +90,10 @@ pub enum Buffer {
     Frame,
     /// Classes of a sensor grid, see [`class_bytes`](crate::evidence::class_bytes).
     Classes,
+    /// Squared distances, one per cell of the [region](crate::distance::DistanceMap::region).
+    Distances,
+    /// Vertices of a distance map, one per column, two if signed.
+    Vertices,
 }
 
 /// The parameter that was out of range.
@@ -191,6 +197,7 @@ impl fmt::Display for Error {
             Self::UnknownSensor(index) => write!(f, "there is no sensor {index}"),
             Self::SensorOutsideMap(index) => write!(f, "sensor {index} stands outside the map"),
             Self::UnsupportedFusion => f.write_str("u8 mass cells take only pcr6 and josang_average"),
+            Self::WindowOutside => f.write_str("a window of cells does not lie in its grid"),
         }
     }
 }

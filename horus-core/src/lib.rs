@@ -8,7 +8,8 @@
 //!
 //! # Layers
 //! Each uses only what stands left of it:
-//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`costmap`] < [`evidence`] < [`frames`] < `c_abi`
+//! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`raycast`] < [`distance`] <
+//! [`costmap`] < [`evidence`] < [`frames`] < `c_abi`
 //! (the library from C; feature `c-abi`).
 //!
 //! # Frames and units
@@ -22,6 +23,7 @@ extern crate std;
 #[cfg(feature = "c-abi")]
 pub mod c_abi;
 pub mod costmap;
+pub mod distance;
 pub mod error;
 pub mod evidence;
 pub mod frames;
@@ -29,6 +31,7 @@ pub mod geometry;
 pub mod grid;
 mod math;
 pub mod prelude;
+pub mod raycast;
 pub mod storage;
 mod walk;
 

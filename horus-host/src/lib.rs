@@ -19,6 +19,7 @@
 //! counter-clockwise; times are nanoseconds and end in `_ns`.
 
 pub mod frames;
+mod grid_traits;
 pub mod lockstep;
 pub mod log;
 pub mod picture;

@@ -1,7 +1,11 @@
-//! The embedded core against recorded outputs of HORUS, nav2 and navground: the tests of `golden_reference.rs`, with
+//! The embedded core against recorded outputs of HORUS, nav2, navground and Beluga: the tests of `golden_reference.rs`, with
 //! another subject. Every cost map is tested with one- and two-byte fields, with and without kept costs, computed in
 //! full, by incremental updates and by updates with the smallest budget.
 
+#[path = "golden/beluga.rs"]
+mod beluga;
+#[path = "golden/beluga_core.rs"]
+mod beluga_subject;
 #[path = "golden/horus_cells.rs"]
 mod horus_cells;
 #[path = "golden/horus_costs.rs"]

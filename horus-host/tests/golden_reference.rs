@@ -1,10 +1,14 @@
-//! The std version against recorded outputs of HORUS, nav2 and navground.
+//! The std version against recorded outputs of HORUS, nav2, navground and Beluga.
 //!
 //! The vectors are JSON (for navground with `.f32` beside it). A part of them is kept in `tests/golden` at the root of
 //! the repository; where the full set lies beside the repository, the same tests run over that too. The name of each
 //! test that starts with `horus_deviation` says where this library deliberately differs. `golden_core.rs` runs the
 //! same tests, all but those of `reference_only`, over the embedded core.
 
+#[path = "golden/beluga.rs"]
+mod beluga;
+#[path = "golden/beluga_reference.rs"]
+mod beluga_subject;
 #[path = "golden/horus_cells.rs"]
 mod horus_cells;
 #[path = "golden/horus_costs.rs"]

@@ -115,7 +115,7 @@ impl horus_status {
             }
             Self::BufferTooSmall => c"the memory or a buffer is too short",
             Self::LengthMismatch => c"an array has not exactly one element per cell",
-            Self::Outside => c"the cell or the point lies outside the grid",
+            Self::Outside => c"the cell, the point or the window lies outside the grid",
             Self::InvalidChoice => c"a number is none of the named constants",
             Self::InvalidText => c"a text is not UTF-8",
             Self::NotKept => c"the cost map keeps no cost bytes",
@@ -162,6 +162,7 @@ impl From<Error> for horus_status {
             Error::RadiusTooLarge { .. } => Self::RadiusTooLarge,
             Error::BudgetTooSmall { .. } => Self::BudgetTooSmall,
             Error::InvalidPolygon => Self::InvalidPolygon,
+            Error::WindowOutside => Self::Outside,
         }
     }
 }

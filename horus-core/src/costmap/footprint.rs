@@ -5,7 +5,7 @@ use super::kernel::low_bits;
 use crate::error::Error;
 use crate::geometry::{GridInfo, Pose2D};
 use crate::math;
-use crate::walk::{End, GridWalk};
+use crate::walk::{End, GridWalk, Tie};
 
 /// What lies under a polygon.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -92,7 +92,7 @@ pub(crate) fn cost<V: Copy + Into<(f32, f32)>>(
         low = (low.0.min(x), low.1.min(y));
         high = (high.0.max(x), high.1.max(y));
         under.leaves_map |= x as u32 >= width || y as u32 >= height;
-        if let Some(walk) = GridWalk::new(from.cell, to.cell, End::Included, width, height) {
+        if let Some(walk) = GridWalk::new(from.cell, to.cell, Tie::Far, End::Included, (width, height)) {
             let per_row = width.max(1); // a walk has cells only where there are columns
             walk.for_each(|i| under.add(cost_at(i as u32 % per_row, i as u32 / per_row)));
         }

@@ -1,3 +1,5 @@
+use nalgebra::{Isometry2, Translation2, UnitComplex};
+
 use super::{CELL_LIMIT, Pose2D};
 use crate::error::Error;
 use crate::math;
@@ -100,6 +102,15 @@ impl GridInfo {
             self.offset[1] as f32 * self.resolution,
         );
         Pose2D::new(x, y, self.origin0.theta)
+    }
+
+    /// The same pose as a nalgebra isometry, without computing its sine and cosine anew.
+    pub fn isometry(&self) -> Isometry2<f32> {
+        let corner = self.origin();
+        Isometry2::from_parts(
+            Translation2::new(corner.x, corner.y),
+            UnitComplex::from_cos_sin_unchecked(self.cos, self.sin),
+        )
     }
 
     /// World pose of the corner of cell (0, 0) as given at construction, metres and radians.
@@ -212,6 +223,15 @@ impl GridInfo {
             self.offset = offset;
         }
     }
+}
+
+/// The cell of a coordinate (metres) along one axis of a grid whose cell 0 starts at 0; `None` if it is
+/// not finite or beyond the range of `i32`.
+#[inline]
+pub(crate) fn cell_along(local: f32, resolution: f32) -> Option<i32> {
+    const LIMIT: f32 = 2_147_483_648.0;
+    let cells = local / resolution + BOUNDARY_EPSILON;
+    (-LIMIT..LIMIT).contains(&cells).then(|| math::floor_i32(cells))
 }
 
 /// `width * height` where a slice of that many cells can exist and a `u32` can index it.

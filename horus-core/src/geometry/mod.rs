@@ -5,6 +5,7 @@ mod pose;
 mod rect;
 
 pub use info::GridInfo;
+pub(crate) use info::cell_along;
 pub use pose::Pose2D;
 pub(crate) use rect::Bounds;
 pub use rect::CellRect;

@@ -8,7 +8,7 @@ use super::{BeamSlot, FREE, LaserScan, OCCUPIED, ScanModel, ScanReport, ScanWork
 use crate::error::Error;
 use crate::geometry::{CellRect, GridInfo, Pose2D};
 use crate::math;
-use crate::walk::{End, GridWalk};
+use crate::walk::{End, GridWalk, Tie};
 
 /// Is told of every cell whose value differs from before the scan, each once.
 pub(crate) trait ChangeSink {
@@ -144,7 +144,7 @@ impl Beams<'_> {
                 continue;
             };
             *count += 1;
-            if let Some(walk) = GridWalk::new(start, end, last, width, height) {
+            if let Some(walk) = GridWalk::new(start, end, Tie::Far, last, (width, height)) {
                 walk.for_each(&mut visit);
             }
         }

@@ -1,12 +1,14 @@
-//! Occupancy grids: cell values, the rolling window, and scans.
+//! Occupancy grids: cell values, the rolling window, scans, and what algorithms may ask of any grid.
 
 mod integrate;
 mod occupancy;
+mod requirements;
 mod scan;
 mod text;
 mod workspace;
 
 pub use occupancy::{OccupancyGrid, StaticOccupancyGrid};
+pub use requirements::*;
 pub use scan::{LaserScan, ScanModel, ScanReport};
 pub use workspace::{BeamSlot, ScanBuffers, ScanWorkspace};
 

@@ -47,6 +47,20 @@ impl GridFrame {
         [self.cos * dx + self.sin * dy, self.cos * dy - self.sin * dx]
     }
 
+    /// (cos, sin) of the heading of the grid's axes.
+    pub(super) fn heading(&self) -> (f32, f32) {
+        (self.cos, self.sin)
+    }
+
+    /// World position of the corner of cell (0, 0) as it is now.
+    pub(super) fn corner(&self) -> [f32; 2] {
+        let [lx, ly] = self.offset.map(|cells| cells as f32 * self.resolution);
+        [
+            self.origin[0] + (self.cos * lx - self.sin * ly),
+            self.origin[1] + (self.sin * lx + self.cos * ly),
+        ]
+    }
+
     /// The cell a world point lies in, inside the map or not; `None` if the point is not finite, here or along the
     /// grid's axes, or too far away to count.
     pub(super) fn cell(&self, p: [f32; 2]) -> Option<[i32; 2]> {

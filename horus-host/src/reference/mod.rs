@@ -1,10 +1,10 @@
-//! The std version of the occupancy grid and the cost map, and the oracle `horus-core` is tested against.
+//! The std version of the occupancy grid, the cost map, distances and rays, and the oracle `horus-core` is tested against.
 //!
 //! Everything here is written to be read, not to be fast: `Vec`s, no tables, no distance field, no state carried from
 //! one call to the next, and nothing shared with `horus-core`. There are two kinds of arithmetic:
 //!
 //! - **Decisions**, that is which cell a beam ends in, how far a window shifts and every cost byte, are f32 with a
-//!   fixed order of operations ([`OccupancyGrid::integrate_scan`], [`OccupancyGrid::recenter`],
+//!   fixed order of operations ([`OccupancyGrid::integrate_scan`], [`OccupancyGrid::recenter`], [`BelugaGrid::trace`],
 //!   [`CostMap::compute_costs`], [`CostMap::footprint_cost`]). Another implementation must agree on every byte.
 //! - **Point queries** take and return f64 metres ([`OccupancyGrid::world_to_grid`] and what builds on it) and agree
 //!   with an f32 implementation on every point farther than 2e-3 cell from a cell boundary, and on every nominal
@@ -47,9 +47,11 @@
 //! # assert_eq!(costmap.cost(7.0, 0.0), None);
 //! ```
 
+mod cell_walk;
 mod cost_map;
 mod cost_params;
 mod decay;
+mod distance;
 mod error;
 pub mod evidence;
 mod footprint;
@@ -59,15 +61,19 @@ mod inflation;
 mod integrate;
 mod laser_scan;
 mod pose;
+mod raycast;
 mod rect;
+mod requirements;
 mod scan_model;
 mod scan_report;
 mod walk;
 mod window;
 
+pub use cell_walk::{standard_walk, supercover_walk};
 pub use cost_map::CostMap;
 pub use cost_params::CostParams;
 pub use decay::Decay;
+pub use distance::{signed_squared_distances, squared_distances};
 pub use error::ReferenceError;
 pub use footprint::FootprintCost;
 pub use grid::OccupancyGrid;
@@ -75,7 +81,9 @@ pub use grid::OccupancyGrid;
 pub use inflation::inflate;
 pub use laser_scan::LaserScan;
 pub use pose::Pose2D;
+pub use raycast::Walk;
 pub use rect::Rect;
+pub use requirements::{BelugaGrid, Values};
 pub use scan_model::ScanModel;
 pub use scan_report::ScanReport;
 pub use walk::{walk_cell, walk_inside, walk_steps};

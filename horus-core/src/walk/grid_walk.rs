@@ -1,10 +1,4 @@
-//! Integer cell walks.
-//!
-//! The walk of navground and nav2 between two cells: with `n` the larger and `m` the smaller of
-//! |dx|, |dy| (x dominant on a tie), `err` starts at `n / 2`; each step moves one cell along the
-//! dominant axis, adds `m` to `err`, and where `err >= n` also moves along the other axis and
-//! subtracts `n`. After `i` steps the minor coordinate has moved `(n / 2 + i * m) / n` cells, so
-//! the part outside a map is skipped in closed form: no step is ever taken outside it.
+use super::{Tie, sign};
 
 /// The part of a walk that lies inside a grid, ready to step through by linear index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,10 +24,17 @@ pub(crate) enum End {
 }
 
 impl GridWalk {
-    /// The cells of the walk from `from` to `to` that lie inside a `width` x `height` grid.
+    /// The cells of the walk from `from` to `to` that lie inside a `width` x `height` grid. What lies outside is
+    /// skipped in closed form: no step is ever taken there.
     ///
     /// Coordinates lie within +-2^30 and sizes are at most 2^30. Constant time.
-    pub(crate) fn new(from: (i32, i32), to: (i32, i32), end: End, width: u32, height: u32) -> Option<Self> {
+    pub(crate) fn new(
+        from: (i32, i32),
+        to: (i32, i32),
+        tie: Tie,
+        end: End,
+        (width, height): (u32, u32),
+    ) -> Option<Self> {
         let (ax, ay) = (to.0.abs_diff(from.0), to.1.abs_diff(from.1));
         let (sign_x, sign_y) = (sign(from.0, to.0), sign(from.1, to.1));
         let (step_x, step_y) = (sign_x as isize, sign_y as isize * width as isize);
@@ -47,6 +48,7 @@ impl GridWalk {
             End::Included => n,
             End::Excluded => n.checked_sub(1)?,
         };
+        let start = tie.start(n);
         let inside = |c: (i32, i32)| (c.0 as u32) < width && (c.1 as u32) < height;
         if inside(from) && inside(to) {
             let index = from.1 as usize * width as usize + from.0 as usize;
@@ -55,7 +57,7 @@ impl GridWalk {
                 cells: last + 1,
                 major,
                 minor,
-                err: n / 2,
+                err: start,
                 n,
                 m,
             });
@@ -75,8 +77,8 @@ impl GridWalk {
         } else {
             (axis_y, axis_x)
         };
-        let (first, last) = clip(dominant, other, n, m, last)?;
-        let travelled = u64::from(n / 2) + u64::from(first) * u64::from(m);
+        let (first, last) = clip(dominant, other, (n, m, start), last)?;
+        let travelled = u64::from(start) + u64::from(first) * u64::from(m);
         let (steps_minor, err) = divide(travelled, n);
         let x0y0 = |along_x: i64, along_y: i64| {
             let x = i64::from(from.0) + i64::from(sign_x) * along_x;
@@ -99,6 +101,15 @@ impl GridWalk {
     /// Calls `visit` with the linear index of every cell, in order.
     #[inline(always)]
     pub(crate) fn for_each(self, mut visit: impl FnMut(usize)) {
+        self.find(|index| {
+            visit(index);
+            false
+        });
+    }
+
+    /// The linear index of the first cell for which `found` is true.
+    #[inline(always)]
+    pub(crate) fn find(self, mut found: impl FnMut(usize) -> bool) -> Option<usize> {
         let Self {
             mut index,
             mut cells,
@@ -109,10 +120,12 @@ impl GridWalk {
             m,
         } = self;
         loop {
-            visit(index);
+            if found(index) {
+                return Some(index);
+            }
             cells -= 1;
             if cells == 0 {
-                return;
+                return None;
             }
             index = index.wrapping_add_signed(major);
             err += m;
@@ -122,11 +135,6 @@ impl GridWalk {
             }
         }
     }
-}
-
-/// -1, 0 or 1: the direction of travel.
-fn sign(from: i32, to: i32) -> i32 {
-    i32::from(to > from) - i32::from(to < from)
 }
 
 /// One axis of a walk: where it starts, which way it goes, and the grid's size along it.
@@ -151,7 +159,7 @@ impl Axis {
 }
 
 /// First and last step `i <= last` whose cell lies inside on both axes.
-fn clip(dominant: Axis, other: Axis, n: u32, m: u32, last: u32) -> Option<(u32, u32)> {
+fn clip(dominant: Axis, other: Axis, (n, m, start): (u32, u32, u32), last: u32) -> Option<(u32, u32)> {
     let (mut first, far) = dominant.inside()?;
     let mut last = far.min(i64::from(last));
     let (q0, q1) = other.inside()?;
@@ -160,9 +168,9 @@ fn clip(dominant: Axis, other: Axis, n: u32, m: u32, last: u32) -> Option<(u32, 
             return None;
         }
     } else {
-        // The minor coordinate has moved q cells for steps ceil((q n - n/2) / m) and on.
+        // The minor coordinate has moved q cells for steps ceil((q n - start) / m) and on.
         let reaches = |q: i64| {
-            let ahead = q as u64 * u64::from(n) - u64::from(n / 2); // q is not 0
+            let ahead = q as u64 * u64::from(n) - u64::from(start); // q is not 0
             divide(ahead + u64::from(m) - 1, m).0 as i64
         };
         if q0 > 0 {
@@ -204,7 +212,7 @@ mod tests {
     use std::vec::Vec;
 
     /// The rule as SPEC 4 words it, stepping through every cell.
-    fn stepped(from: (i32, i32), to: (i32, i32)) -> Vec<(i32, i32)> {
+    fn stepped(from: (i32, i32), to: (i32, i32), tie: Tie) -> Vec<(i32, i32)> {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let (mut x, mut y) = from;
         let mut cells = std::vec![(x, y)];
@@ -214,12 +222,19 @@ mod tests {
         } else {
             (dy.abs(), dx.abs())
         };
-        let mut err = da / 2;
+        // Beluga's error term is twice navground's.
+        let (mut err, scale) = match tie {
+            Tie::Near => (da, 2),
+            Tie::Far => (da / 2, 1),
+        };
         for _ in 0..da {
-            err += db;
-            let minor = err >= da;
+            err += scale * db;
+            let minor = match tie {
+                Tie::Near => err > scale * da,
+                Tie::Far => err >= da,
+            };
             if minor {
-                err -= da;
+                err -= scale * da;
             }
             if x_dominant || minor {
                 x += dx.signum();
@@ -240,8 +255,9 @@ mod tests {
                 for fy in range.clone() {
                     for tx in range.clone() {
                         for ty in range.clone() {
-                            for end in [End::Included, End::Excluded] {
-                                let mut expected = stepped((fx, fy), (tx, ty));
+                            let ends = [End::Included, End::Excluded];
+                            for (end, tie) in ends.into_iter().flat_map(|e| [(e, Tie::Near), (e, Tie::Far)]) {
+                                let mut expected = stepped((fx, fy), (tx, ty), tie);
                                 if end == End::Excluded {
                                     expected.pop();
                                 }
@@ -251,10 +267,10 @@ mod tests {
                                     .map(|c| c.1 as usize * w as usize + c.0 as usize)
                                     .collect();
                                 let mut got = Vec::new();
-                                if let Some(walk) = GridWalk::new((fx, fy), (tx, ty), end, w, h) {
+                                if let Some(walk) = GridWalk::new((fx, fy), (tx, ty), tie, end, (w, h)) {
                                     walk.for_each(|i| got.push(i));
                                 }
-                                assert_eq!(got, expected, "({fx},{fy}) ({tx},{ty}) {w}x{h} {end:?}");
+                                assert_eq!(got, expected, "({fx},{fy}) ({tx},{ty}) {w}x{h} {tie:?} {end:?}");
                             }
                         }
                     }
@@ -293,7 +309,7 @@ mod tests {
             for fy in far {
                 for tx in far {
                     for ty in far {
-                        let walk = GridWalk::new((fx, fy), (tx, ty), End::Included, 4, 4);
+                        let walk = GridWalk::new((fx, fy), (tx, ty), Tie::Far, End::Included, (4, 4));
                         if let Some(walk) = walk {
                             assert!(walk.cells <= 4, "{walk:?}");
                             walk.for_each(|i| assert!(i < 16));
@@ -308,7 +324,13 @@ mod tests {
 
     #[test]
     fn an_empty_grid_has_no_cells() {
-        assert_eq!(GridWalk::new((0, 0), (0, 0), End::Included, 0, 0), None);
-        assert_eq!(GridWalk::new((-3, 0), (5, 0), End::Included, 0, 7), None);
+        assert_eq!(
+            GridWalk::new((0, 0), (0, 0), Tie::Far, End::Included, (0, 0)),
+            None
+        );
+        assert_eq!(
+            GridWalk::new((-3, 0), (5, 0), Tie::Far, End::Included, (0, 7)),
+            None
+        );
     }
 }
