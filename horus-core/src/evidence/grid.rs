@@ -208,8 +208,10 @@ impl<'a, M: MassCell> EvidenceFusion<'a, M> {
                 let mut sensor = [M::VACUOUS; CHUNK];
                 let mut is_vacuous = true;
                 for (cell, _) in sensor.iter_mut().zip(chunk.iter()) {
-                    *cell = sampler.sample(places.next());
-                    is_vacuous &= cell.is_vacuous();
+                    if let Some(seen) = sampler.sample(places.next()) {
+                        *cell = seen;
+                        is_vacuous = false;
+                    }
                 }
                 if !(neutral && is_vacuous) {
                     tally.add(M::fuse(&self.prepared, chunk, &sensor));

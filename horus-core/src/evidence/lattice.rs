@@ -138,11 +138,12 @@ pub(super) struct Centers {
 impl Centers {
     #[inline]
     pub(super) fn at(&self, row: u32, col: u32) -> (f32, f32) {
-        self.pose.point((self.along(row), self.along(col)))
+        self.at_halves(row as f32 + 0.5, col as f32 + 0.5)
     }
 
+    /// The same from row and column plus a half: whole numbers of halves, which are exact.
     #[inline]
-    fn along(&self, cells: u32) -> f32 {
-        (cells as f32 + 0.5) * self.cell
+    pub(super) fn at_halves(&self, row: f32, col: f32) -> (f32, f32) {
+        self.pose.point((row * self.cell, col * self.cell))
     }
 }

@@ -20,8 +20,11 @@ pub use self::mapping::{
     TickReport,
 };
 pub use self::mass::{EvidenceF32, EvidenceU8, EvidenceU16, MassCell, Masses};
-pub use self::post::{BinaryMap, BinaryThresholds, Inpaint, InpaintFrame, evidence_to_occupancy};
+pub use self::post::{
+    BinaryMap, BinaryThresholds, Inpaint, InpaintFrame, binary_to_distance, evidence_to_occupancy,
+};
 pub use self::resample::resample;
+use self::scan::class_at;
 pub use self::scan::{
     BeamLimits, Flatscan, ScanClass, SensorGrid, SensorModel, class_bytes, scan_to_evidence,
 };

@@ -166,8 +166,7 @@ pub fn config<'c>(
         sensors,
         inpaint,
         thresholds: BinaryThresholds::default(),
-        max_distance: 2.0,
-        compute_distance_inside: true,
+        max_distance: 1.0,
     }
 }
 

@@ -87,9 +87,7 @@ fn each<M: IntegerCell>(
     for (state, sensor) in state.iter_mut().zip(sensor) {
         let pair = Pair::new(*state, *sensor);
         let [first, second] = pair.conflicts();
-        let conflict = first.wrapping_add(second);
-        tally.conflicts = tally.conflicts.wrapping_add(u32::from(conflict != 0));
-        tally.mass = tally.mass.wrapping_add(u64::from(conflict));
+        tally.count(first.wrapping_add(second));
         let [f, o] = rule(&pair, &mut tally);
         *state = M::of(f, o);
     }
@@ -113,10 +111,9 @@ fn pcr6<M: IntegerCell>(state: &mut [M], sensor: &[M]) -> Tally {
             let (conflict, share) = (p.wrapping_mul(q), share(p, q));
             f = f.wrapping_add(share);
             o = o.wrapping_add(conflict.wrapping_sub(share));
-            tally.mass = tally.mass.wrapping_add(u64::from(conflict));
         }
         let [first, second] = pair.conflicts();
-        tally.conflicts = tally.conflicts.wrapping_add(u32::from(first | second != 0));
+        tally.count(first.wrapping_add(second));
         *state = M::of(over_q::<M>(f), over_q::<M>(o));
     }
     tally

@@ -22,6 +22,13 @@ pub struct Tally {
 }
 
 impl Tally {
+    /// Counts the conflict of one cell.
+    #[inline(always)]
+    pub(super) fn count(&mut self, conflict: u32) {
+        self.conflicts = self.conflicts.wrapping_add(u32::from(conflict != 0));
+        self.mass = self.mass.wrapping_add(u64::from(conflict));
+    }
+
     pub(crate) fn add(&mut self, other: Self) {
         self.conflicts = self.conflicts.saturating_add(other.conflicts);
         self.mass = self.mass.saturating_add(other.mass);

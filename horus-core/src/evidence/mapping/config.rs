@@ -15,10 +15,9 @@ pub struct LocalMappingConfig<'c> {
     pub inpaint: &'c [Inpaint],
     /// What is occupied.
     pub thresholds: BinaryThresholds,
-    /// Metres at which distances are capped, above 0; also at 255 cells.
+    /// Metres at which distances are capped, above 0 and perhaps infinite; in any case they are at what
+    /// the map's distance type can hold.
     pub max_distance: f32,
-    /// Whether distances are signed: negative inside obstacles.
-    pub compute_distance_inside: bool,
 }
 
 impl LocalMappingConfig<'_> {

@@ -57,6 +57,23 @@ impl<'a> BinaryMap<'a> {
         Some(word >> (gx % 32) & 1 != 0)
     }
 
+    /// Whether the cells of a row are occupied; none outside the map.
+    pub fn row(&self, gy: u32) -> impl Iterator<Item = bool> + '_ {
+        let per_row = words_per_row(self.width);
+        let start = gy as usize * per_row;
+        let words = self.words.get(start..start + per_row).unwrap_or_default();
+        let (mut words, mut bits) = (words.iter(), 0);
+        let columns = if words.len() > 0 { self.width } else { 0 };
+        (0..columns).map(move |gx| {
+            if gx.is_multiple_of(32) {
+                bits = words.next().copied().unwrap_or(0);
+            }
+            let bit = bits & 1 != 0;
+            bits >>= 1;
+            bit
+        })
+    }
+
     /// All bits, row by row; rows start on a word, bit 0 first.
     pub fn words(&self) -> &[u32] {
         self.words

@@ -58,7 +58,7 @@ pub fn resample<M: MassCell>(
     for line in dst.chunks_exact_mut(rows.max(1) as usize) {
         let mut places = walk;
         for cell in line {
-            *cell = sampler.sample(places.next());
+            *cell = sampler.sample(places.next()).unwrap_or_default();
         }
         walk.next_line();
     }

@@ -1,10 +1,11 @@
 use super::walk::Place;
 use crate::evidence::fusion::WHOLE;
-use crate::evidence::{Kernel, Lattice, MassCell, ScanClass, SensorGrid};
+use crate::evidence::{Kernel, Lattice, MassCell, SensorGrid};
 
 /// An evidence grid that can be asked between its cells; outside it is vacuous.
 pub(crate) trait Sampler<M: MassCell> {
-    fn sample(&self, place: Place) -> M;
+    /// `None`: vacuous.
+    fn sample(&self, place: Place) -> Option<M>;
 }
 
 /// A grid of mass cells.
@@ -14,16 +15,16 @@ pub(crate) struct CellSampler<'a, M> {
 }
 
 impl<M: MassCell> Sampler<M> for CellSampler<'_, M> {
-    fn sample(&self, place: Place) -> M {
+    fn sample(&self, place: Place) -> Option<M> {
         let cell = |row: i32, col: i32| {
             // A negative coordinate becomes too large.
             let index = self.lattice.index(row as u32, col as u32);
             index.and_then(|i| self.cells.get(i)).copied().unwrap_or_default()
         };
-        let Place { row, col, fraction } = place;
+        let Place { row, col, .. } = place;
         let (next_row, next_col) = (row.wrapping_add(1), col.wrapping_add(1));
-        if fraction == [0, 0] {
-            return cell(row, col);
+        if place.is_center() {
+            return Some(cell(row, col));
         }
         let corners = [
             cell(row, col),
@@ -31,7 +32,7 @@ impl<M: MassCell> Sampler<M> for CellSampler<'_, M> {
             cell(row, next_col),
             cell(next_row, next_col),
         ];
-        M::interpolate(corners, place.weights())
+        Some(M::interpolate(corners, place.weights()))
     }
 }
 
@@ -39,7 +40,7 @@ impl<M: MassCell> Sampler<M> for CellSampler<'_, M> {
 pub(crate) struct ClassSampler<'a, M: Kernel> {
     grid: &'a SensorGrid<'a>,
     blend: M::Blend,
-    whole: [M; 3],
+    whole: [M; 2],
 }
 
 impl<'a, M: MassCell> ClassSampler<'a, M> {
@@ -48,8 +49,7 @@ impl<'a, M: MassCell> ClassSampler<'a, M> {
         Self {
             grid,
             blend: M::blend(model.m_free, model.m_occ),
-            whole: [ScanClass::Vacuous, ScanClass::Free, ScanClass::Occupied]
-                .map(|class| M::from_masses(class.masses(model))),
+            whole: [model.m_free, model.m_occ].map(M::from_masses),
         }
     }
 
@@ -76,12 +76,12 @@ const OCCUPIED: u8 = 0b1010_1010;
 
 impl<M: MassCell> Sampler<M> for ClassSampler<'_, M> {
     #[inline(always)]
-    fn sample(&self, place: Place) -> M {
+    fn sample(&self, place: Place) -> Option<M> {
         match self.grid.quad(place.row, place.col) {
-            VACUOUS => self.whole[0],
-            FREE => self.whole[1],
-            OCCUPIED => self.whole[2],
-            quad => self.mixed(quad, place),
+            VACUOUS => None,
+            FREE => Some(self.whole[0]),
+            OCCUPIED => Some(self.whole[1]),
+            quad => Some(self.mixed(quad, place)),
         }
     }
 }

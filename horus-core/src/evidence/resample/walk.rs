@@ -23,8 +23,8 @@ pub(crate) struct Place {
     /// The cell with the lower coordinates.
     pub row: i32,
     pub col: i32,
-    /// How far towards the next row and column, as fractions of 2^32.
-    pub fraction: [u32; 2],
+    /// How far towards the next row and column, as fractions of 2^32, before snapping.
+    fraction: [u32; 2],
 }
 
 impl CellWalk {
@@ -64,7 +64,7 @@ impl CellWalk {
         Place {
             row: (x >> 32) as i32,
             col: (y >> 32) as i32,
-            fraction: [snapped(x as u32), snapped(y as u32)],
+            fraction: [x as u32, y as u32],
         }
     }
 
@@ -89,12 +89,17 @@ fn nearest(v: f64) -> i64 {
 }
 
 impl Place {
+    /// True at the centre of the first of the four cells.
+    pub(crate) fn is_center(&self) -> bool {
+        self.fraction.iter().all(|f| snapped(*f) == 0)
+    }
+
     /// Weights of the four cells: (row, col), (row + 1, col), (row, col + 1), (row + 1, col + 1).
     /// They sum to 2^31.
     #[inline]
     pub(crate) fn weights(&self) -> [u32; 4] {
         // Fractions of 2^31: the lowest bit is 1e-10 of a cell.
-        let [a, b] = self.fraction.map(|f| f >> 1);
+        let [a, b] = self.fraction.map(|f| snapped(f) >> 1);
         let both = ((u64::from(a) * u64::from(b)) >> 31) as u32;
         let (only_a, only_b) = (a - both, b - both);
         [WHOLE - both - only_a - only_b, only_a, only_b, both]

@@ -1,7 +1,9 @@
 use core::f32::consts::{PI, TAU};
 
+use super::bearing::{self, bearing};
 use super::{Flatscan, ScanClass, SensorModel};
 use crate::error::{Buffer, Error, require};
+use crate::math;
 
 /// How far one beam of a scan frees and occupies cells: squared metres. Storage of a scan's
 /// projection, one per beam, 8 bytes; the contents do not matter between calls.
@@ -60,6 +62,7 @@ pub(crate) struct Beams<'a> {
     /// Angle over which the last and the first beam are neighbours; `None`: they are not.
     closing_gap: Option<f32>,
     half_width: Option<f32>,
+    guess: Guess,
     /// Squared metres from which on no beam says anything.
     pub(crate) reach: f32,
 }
@@ -84,19 +87,48 @@ impl<'a> Beams<'a> {
             *limits = BeamLimits::new(*range, visibility, scan, model);
             reach = reach.max(limits.occupied);
         }
+        let closing_gap = closing_gap(angles);
         Ok(Self {
             angles,
             limits,
-            closing_gap: closing_gap(angles),
+            closing_gap,
             half_width: model.beam_half_width,
+            guess: Guess::new(angles, model.beam_half_width, closing_gap),
             reach,
         })
     }
 
-    /// What the scan says about a cell at squared distance `d2` in direction `a`. `beam` is any
-    /// beam, best that of a cell nearby; it becomes the nearest.
+    /// What the scan says about the point (x, y) in the sensor's frame at squared distance `d2`.
+    ///
+    /// The nearest beam is guessed from an approximate bearing; where that lies too near to a border
+    /// between beams to be sure, it is found by the definition. The result is the definition's.
     #[inline]
-    pub(crate) fn class(&self, a: f32, d2: f32, beam: &mut usize) -> ScanClass {
+    pub(crate) fn class(&self, x: f32, y: f32, d2: f32) -> ScanClass {
+        let a = bearing(y, x);
+        let (beam, a) = self.guess.beam(a);
+        // Not true for NaN.
+        if (a - self.angle(beam)).abs() < self.guess.certain && self.is_inner(beam) {
+            self.limits.get(beam).copied().unwrap_or_default().class(d2)
+        } else {
+            // Between the ends of an open fan nothing needs to be found.
+            if a > self.guess.open.0 && a < self.guess.open.1 {
+                return ScanClass::Vacuous;
+            }
+            self.class_by_definition(math::atan2(y, x), d2, beam)
+        }
+    }
+
+    /// True unless it is the first or the last beam.
+    #[inline]
+    fn is_inner(&self, beam: usize) -> bool {
+        beam.wrapping_sub(1) < self.angles.len().wrapping_sub(2)
+    }
+
+    /// What the scan says about a cell at squared distance `d2` in direction `a`; `beam` is where the
+    /// search for the nearest begins.
+    #[inline(never)]
+    fn class_by_definition(&self, a: f32, d2: f32, beam: usize) -> ScanClass {
+        let beam = &mut beam.min(self.angles.len().saturating_sub(1));
         let difference = self.nearest(a, beam);
         if self.covers(*beam, difference) {
             self.limits.get(*beam).copied().unwrap_or_default().class(d2)
@@ -184,6 +216,51 @@ impl<'a> Beams<'a> {
             self.closing_gap.unwrap_or(self.angle(1) - self.angle(0))
         };
         difference.abs() <= 0.5 * gap
+    }
+}
+
+/// Where the beam nearest to a bearing is likely to be.
+#[derive(Clone, Copy, Debug)]
+struct Guess {
+    first: f32,
+    /// Beams per radian, if they were evenly spread.
+    density: f32,
+    /// A bearing nearer than this to an inner beam lies nearest to it, and is covered by it: half the
+    /// smallest gap (or the beams' half width), but for what bearings and differences may be off.
+    certain: f32,
+    /// Between these bearings no beam covers anything; empty for a full circle.
+    open: (f32, f32),
+}
+
+impl Guess {
+    fn new(angles: &[f32], half_width: Option<f32>, closing_gap: Option<f32>) -> Self {
+        let (first, last) = (angles.first().copied(), angles.last().copied());
+        let (first, last) = (first.unwrap_or(0.0), last.unwrap_or(0.0));
+        let gaps = angles.iter().zip(angles.iter().skip(1)).map(|(a, b)| b - a);
+        let (smallest, largest) = gaps.fold((TAU, 0.0), |(s, l): (f32, f32), gap| (s.min(gap), l.max(gap)));
+        let half = 0.5 * smallest;
+        let reach = half_width.unwrap_or(0.5 * largest) + 2.0 * bearing::ERROR;
+        let open = if half_width.is_some() || closing_gap.is_none() {
+            (last + reach, (first + TAU) - reach)
+        } else {
+            (f32::INFINITY, f32::NEG_INFINITY)
+        };
+        let half = half_width.map_or(half, |width| half.min(width));
+        let inner = angles.len().saturating_sub(1) as f32;
+        Self {
+            first,
+            density: if last > first { inner / (last - first) } else { 0.0 },
+            certain: half - 2.0 * bearing::ERROR,
+            open,
+        }
+    }
+
+    /// A beam, which may be one that there is not, and the bearing on the turn that the beams are on.
+    #[inline]
+    fn beam(&self, a: f32) -> (usize, f32) {
+        let a = if a < self.first { a + TAU } else { a };
+        // The cast saturates.
+        (((a - self.first) * self.density + 0.5) as usize, a)
     }
 }
 

@@ -56,31 +56,43 @@ impl<'a> Classes<'a> {
         }
     }
 
-    /// The class of a cell; outside vacuous.
     pub(crate) fn class(&self, row: u32, col: u32) -> ScanClass {
-        if row < self.rows && col < self.cols {
-            ScanClass::of_bits(self.quad(row as i32, col as i32) & 3)
-        } else {
-            ScanClass::Vacuous
-        }
+        let lattice = [self.rows, self.cols];
+        ScanClass::of_bits(quad(self.bytes, lattice, row as i32, col as i32) & 3)
     }
 
-    /// The classes of cells (row, col), (row + 1, col), (row, col + 1), (row + 1, col + 1), two bits
-    /// each from the lowest; 0 outside.
     #[inline]
     pub(crate) fn quad(&self, row: i32, col: i32) -> u8 {
-        let (x, y) = (row.wrapping_add(1) as u32, col.wrapping_add(1) as u32);
-        if x > self.rows || y > self.cols {
-            return 0;
-        }
-        let stride = stride(self.rows);
-        let start = y as usize * stride + (x >> 2) as usize;
-        let pair = |at: usize| {
-            let bytes = self.bytes.get(at..).and_then(|bytes| bytes.first_chunk::<2>());
-            u16::from_le_bytes(bytes.copied().unwrap_or_default()) >> ((x & 3) << 1) & 15
-        };
-        (pair(start) | pair(start + stride) << 4) as u8
+        quad(self.bytes, [self.rows, self.cols], row, col)
     }
+}
+
+/// The class of a cell, outside vacuous, in the bytes that a [`Classes`] of the lattice has written.
+pub(crate) fn class_at(bytes: &[u8], lattice: &Lattice, row: u32, col: u32) -> ScanClass {
+    let size = [lattice.rows, lattice.cols];
+    ScanClass::of_bits(quad(bytes, size, row as i32, col as i32) & 3)
+}
+
+/// The classes of cells (row, col), (row + 1, col), (row, col + 1), (row + 1, col + 1), two bits
+/// each from the lowest; 0 outside.
+#[inline]
+fn quad(bytes: &[u8], [rows, cols]: [u32; 2], row: i32, col: i32) -> u8 {
+    let (x, y) = (row.wrapping_add(1) as u32, col.wrapping_add(1) as u32);
+    if x > rows || y > cols {
+        return 0;
+    }
+    let stride = stride(rows);
+    let start = y as usize * stride + (x >> 2) as usize;
+    // One check for both lines.
+    let Some(both) = bytes.get(start..).and_then(|bytes| bytes.get(..stride + 2)) else {
+        return 0;
+    };
+    let (first, second) = both.split_at(stride);
+    let pair = |bytes: &[u8]| {
+        let bytes = bytes.first_chunk::<2>().copied().unwrap_or_default();
+        u16::from_le_bytes(bytes) >> ((x & 3) << 1) & 15
+    };
+    (pair(first) | pair(second) << 4) as u8
 }
 
 /// Writes the classes of a line, from row 0 on.

@@ -1,6 +1,7 @@
 //! From scans to evidence: which beam covers a cell, and what it says about it.
 
 mod beams;
+mod bearing;
 mod class;
 mod classes;
 mod flatscan;
@@ -10,6 +11,7 @@ mod sensor_grid;
 
 pub use self::beams::BeamLimits;
 pub use self::class::ScanClass;
+pub(super) use self::classes::class_at;
 pub use self::classes::class_bytes;
 pub use self::flatscan::Flatscan;
 pub use self::model::SensorModel;

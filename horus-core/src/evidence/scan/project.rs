@@ -5,7 +5,6 @@ use super::beams::Beams;
 use super::{BeamLimits, Flatscan, ScanClass, SensorModel};
 use crate::error::{Buffer, Error, require};
 use crate::geometry::Pose2D;
-use crate::math;
 
 /// The projection of one scan into a lattice, line by line along x.
 pub(super) struct Projection<'a> {
@@ -13,8 +12,6 @@ pub(super) struct Projection<'a> {
     centers: Centers,
     viewpoint: Viewpoint,
     rows: u32,
-    /// The beam nearest to the cell before.
-    beam: usize,
 }
 
 impl<'a> Projection<'a> {
@@ -35,18 +32,19 @@ impl<'a> Projection<'a> {
             centers: lattice.centers(),
             viewpoint: Viewpoint::new(sensor),
             rows: lattice.rows,
-            beam: 0,
         })
     }
 
     /// Shows the classes of a column's cells, from row 0 on.
     #[inline]
-    pub(super) fn line(&mut self, col: u32, mut show: impl FnMut(ScanClass)) {
-        for row in 0..self.rows {
-            let (x, y) = self.viewpoint.see(self.centers.at(row, col));
+    pub(super) fn line(&self, col: u32, mut show: impl FnMut(ScanClass)) {
+        let (mut row, col) = (0.5, col as f32 + 0.5);
+        for _ in 0..self.rows {
+            let (x, y) = self.viewpoint.see(self.centers.at_halves(row, col));
+            row += 1.0;
             let d2 = x * x + y * y;
             show(if d2 < self.beams.reach {
-                self.beams.class(math::atan2(y, x), d2, &mut self.beam)
+                self.beams.class(x, y, d2)
             } else {
                 ScanClass::Vacuous
             });
@@ -80,7 +78,7 @@ pub fn scan_to_evidence<M: MassCell>(
     limits: &mut [BeamLimits],
     cells: &mut [M],
 ) -> Result<(), Error> {
-    let mut projection = Projection::new(scan, sensor, lattice, model, limits)?;
+    let projection = Projection::new(scan, sensor, lattice, model, limits)?;
     require(Buffer::Cells, lattice.cells(), cells.len())?;
     let masses = [ScanClass::Vacuous, ScanClass::Free, ScanClass::Occupied]
         .map(|class| M::from_masses(class.masses(model)));

@@ -77,7 +77,7 @@ impl<'a> SensorGrid<'a> {
         sensor: Pose2D,
         limits: &mut [BeamLimits],
     ) -> Result<(), Error> {
-        let mut projection = Projection::new(scan, sensor, &self.lattice, &self.model, limits)?;
+        let projection = Projection::new(scan, sensor, &self.lattice, &self.model, limits)?;
         for col in 0..self.lattice.cols {
             let mut line = self.classes.line(col);
             projection.line(col, |class| line.push(class));
