@@ -2,12 +2,13 @@
 //!
 //! [`rt`] is what they stand on (start, print, send, exit), [`drive`] the scripted drive, [`report`] its
 //! hashes, which must be the same everywhere, [`streaming`] how it becomes a stream of frames, [`c_drive`] a
-//! drive that C programs repeat, [`meter`] and [`workload`] what is measured and on what.
+//! drive that C programs repeat, [`evidence`] a drive of local mapping, [`meter`] and [`workload`] what is measured and on what.
 #![no_std]
 
 mod arena;
 pub mod c_drive;
 pub mod drive;
+pub mod evidence;
 pub mod hash;
 pub mod meter;
 mod once;
