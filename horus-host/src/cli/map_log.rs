@@ -8,7 +8,7 @@ use horus_host::log::msg::{
     Costmap, CostmapMetaData, Header, MapMetaData, OccupancyGrid, Pose, TFMessage, Time, Transform,
     TransformStamped,
 };
-use horus_host::log::{LogWriter, cost_to_viewable};
+use horus_host::log::{LogError, LogWriter, cost_to_viewable};
 use horus_host::tf::Pose2;
 
 use super::map_geometry::MapGeometry;
@@ -25,6 +25,9 @@ const HEADING_STEPS: f64 = (1u64 << 44) as f64;
 /// Scans between two flushes: what a crash can cost.
 const SCANS_PER_FLUSH: u32 = 64;
 
+/// What logs are written with.
+pub type Writer = LogWriter<BufWriter<File>>;
+
 /// The frames a run works in, without leading slashes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Frames {
@@ -37,7 +40,7 @@ pub struct Frames {
 /// The log of one side: scans, transforms and that side's maps.
 pub struct MapLog {
     path: PathBuf,
-    writer: LogWriter<BufWriter<File>>,
+    writer: Writer,
     map: MapGeometry,
     frames: Frames,
     /// Sensor frame and mounting pose as last written.
@@ -83,7 +86,20 @@ impl MapLog {
 
     /// Writes a scan and the transforms that connect it, and with `layers` the maps after it.
     pub fn write(&mut self, step: &ScanStep, layers: Option<&Layers>) -> anyhow::Result<()> {
-        let written = self.write_step(step, layers);
+        let (map, frame) = (self.map, self.frames.odom.clone());
+        self.write_with(step, |writer| match layers {
+            Some(layers) => write_maps(writer, &map, &frame, step.stamp_ns, layers),
+            None => Ok(()),
+        })
+    }
+
+    /// Writes a scan and the transforms that connect it, then what `maps` writes.
+    pub fn write_with(
+        &mut self,
+        step: &ScanStep,
+        maps: impl FnOnce(&mut Writer) -> Result<(), LogError>,
+    ) -> anyhow::Result<()> {
+        let written = self.write_step(step, maps);
         written.map_err(|error| in_file(&self.path, error))
     }
 
@@ -96,8 +112,8 @@ impl MapLog {
     fn write_step(
         &mut self,
         step: &ScanStep,
-        layers: Option<&Layers>,
-    ) -> Result<(), horus_host::log::LogError> {
+        maps: impl FnOnce(&mut Writer) -> Result<(), LogError>,
+    ) -> Result<(), LogError> {
         let (stamp_ns, laser) = (step.stamp_ns, &step.scan.header.frame_id);
         let mount = Some((laser.clone(), step.mount));
         if self.mount != mount && *laser != self.frames.base {
@@ -122,9 +138,7 @@ impl MapLog {
         if !step.scan.ranges.is_empty() {
             self.writer.write("/scan", stamp_ns, &step.scan)?;
         }
-        if let Some(layers) = layers {
-            self.write_maps(stamp_ns, layers)?;
-        }
+        maps(&mut self.writer)?;
         self.unflushed += 1;
         if self.unflushed >= SCANS_PER_FLUSH {
             self.unflushed = 0;
@@ -132,49 +146,53 @@ impl MapLog {
         }
         Ok(())
     }
+}
 
-    fn write_maps(&mut self, stamp_ns: u64, layers: &Layers) -> Result<(), horus_host::log::LogError> {
-        let header = Header::new(stamp_ns, &self.frames.odom);
-        let origin = self.map.corner(layers.offset);
-        let origin = Pose::planar(origin.x, origin.y, origin.yaw);
-        let MapGeometry {
+fn write_maps(
+    writer: &mut Writer,
+    map: &MapGeometry,
+    frame: &str,
+    stamp_ns: u64,
+    layers: &Layers,
+) -> Result<(), LogError> {
+    let header = Header::new(stamp_ns, frame);
+    let origin = map.corner(layers.offset);
+    let origin = Pose::planar(origin.x, origin.y, origin.yaw);
+    let MapGeometry {
+        width,
+        height,
+        resolution,
+        lethal_cost: lethal,
+        ..
+    } = *map;
+    let map = |data: Vec<i8>| OccupancyGrid {
+        header: header.clone(),
+        info: MapMetaData {
+            map_load_time: Time::default(),
+            resolution,
             width,
             height,
+            origin,
+        },
+        data,
+    };
+    writer.write("/local_map", stamp_ns, &map(layers.occupancy.clone()))?;
+    let viewable = layers.costs.iter().map(|&cost| cost_to_viewable(cost, lethal));
+    writer.write("/costmap", stamp_ns, &map(viewable.collect()))?;
+    let exact = Costmap {
+        metadata: CostmapMetaData {
+            map_load_time: Time::default(),
+            update_time: header.stamp,
+            layer: "master".to_owned(),
             resolution,
-            lethal_cost: lethal,
-            ..
-        } = self.map;
-        let map = |data: Vec<i8>| OccupancyGrid {
-            header: header.clone(),
-            info: MapMetaData {
-                map_load_time: Time::default(),
-                resolution,
-                width,
-                height,
-                origin,
-            },
-            data,
-        };
-        self.writer
-            .write("/local_map", stamp_ns, &map(layers.occupancy.clone()))?;
-        let viewable = layers.costs.iter().map(|&cost| cost_to_viewable(cost, lethal));
-        self.writer
-            .write("/costmap", stamp_ns, &map(viewable.collect()))?;
-        let exact = Costmap {
-            metadata: CostmapMetaData {
-                map_load_time: Time::default(),
-                update_time: header.stamp,
-                layer: "master".to_owned(),
-                resolution,
-                size_x: width,
-                size_y: height,
-                origin,
-            },
-            header,
-            data: layers.costs.clone(),
-        };
-        self.writer.write("/costmap_raw", stamp_ns, &exact)
-    }
+            size_x: width,
+            size_y: height,
+            origin,
+        },
+        header,
+        data: layers.costs.clone(),
+    };
+    writer.write("/costmap_raw", stamp_ns, &exact)
 }
 
 fn transform(stamp_ns: u64, parent: &str, child: &str, pose: Pose2) -> TransformStamped {

@@ -6,7 +6,9 @@
 mod byte_source;
 mod compare;
 mod demo;
+mod evidence;
 mod map_geometry;
+mod map_kind;
 mod map_log;
 mod map_options;
 mod out_dir;
@@ -84,6 +86,7 @@ Examples:
   horus-host replay drive.mcap                every scan of a log through both versions
   horus-host replay drive.mcap --out out --width 400 --height 400 --radius 1.0
   horus-host replay drive.mcap --preset nav2 --scan /front/scan --odom-frame map
+  horus-host replay drive.mcap --map evidence --fusion pcr6 --out out
   horus-host compare out/core.mcap out/std.mcap
   horus-host record /dev/ttyACM0 --baud 921600 --out target.mcap
 

@@ -33,6 +33,7 @@ mod config;
 mod core_side;
 mod engine;
 mod error;
+pub mod evidence;
 mod field;
 mod layers;
 mod mismatch;

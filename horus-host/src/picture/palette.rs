@@ -52,3 +52,20 @@ pub fn difference(first_to_second: Ordering) -> Rgb<u8> {
         Ordering::Less => Rgb([0x10, 0x30, 0xd0]),
     }
 }
+
+/// Masses (free, occupied) as Isaac's viewer shows them: free white, occupied black, uncertain green, mixed by their
+/// masses.
+pub fn evidence([free, occupied]: [f64; 2]) -> Rgb<u8> {
+    let byte = |share: f64| (share.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+    Rgb([byte(free), byte(1.0 - occupied), byte(free)])
+}
+
+/// A cell of a binary map: occupied black, free white.
+pub fn binary(occupied: bool) -> Rgb<u8> {
+    Rgb([if occupied { 0 } else { 255 }; 3])
+}
+
+/// A distance in metres from black, at and inside obstacles, to white, at `cap` metres and beyond.
+pub fn distance(metres: f32, cap: f32) -> Rgb<u8> {
+    Rgb([((metres / cap).clamp(0.0, 1.0) * 255.0) as u8; 3])
+}

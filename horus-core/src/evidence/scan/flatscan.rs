@@ -5,6 +5,9 @@ use crate::error::Error;
 /// Least angle between two beams, radians.
 const LEAST_GAP: f32 = 1e-5;
 
+/// A full turn, radians, with room for the rounding of a last beam that repeats the first.
+const TURN: f32 = TAU + 0.01;
+
 /// One sweep of a planar range sensor with beams at any angles, borrowed: Isaac's `FlatscanProto`.
 ///
 /// Angles are radians in the sensor's frame, counter-clockwise from its x axis, ascending; ranges are
@@ -44,9 +47,9 @@ impl Flatscan<'_> {
             return Err(Error::LengthMismatch { needed: beams, given });
         }
         let ascending = self.angles.iter().zip(self.angles.iter().skip(1));
-        let valid = self.angles.iter().all(|angle| angle.abs() <= TAU)
+        let valid = self.angles.iter().all(|angle| angle.abs() <= TURN)
             && ascending.into_iter().all(|(a, b)| b - a >= LEAST_GAP)
-            && last - first <= TAU
+            && last - first <= TURN
             && self.invalid_range_threshold >= 0.0
             && self.invalid_range_threshold <= self.out_of_range_threshold
             && !self.visibilities.unwrap_or_default().iter().any(|v| v.is_nan());
