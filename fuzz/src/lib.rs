@@ -10,12 +10,14 @@
 //! | [`memory`] | how much memory something takes |
 //! | [`grid`] | target `grid` |
 //! | [`costmap`] | targets `costmap_u8` and `costmap_u16` |
+//! | [`evidence`] | target `evidence` |
 //! | [`mcap_reader`] | target `mcap_reader` |
 //! | [`frames`] | target `frames` |
 
 pub mod compare;
 pub mod costmap;
 pub mod damage;
+pub mod evidence;
 pub mod frames;
 pub mod grid;
 pub mod mcap_reader;

@@ -32,4 +32,7 @@
 /* Every wrong input has its status, and the macros for static memory give enough. */
 void refusals(void);
 
+/* The drives of tests/src/c_evidence.rs. */
+void evidence(void);
+
 #endif

@@ -272,5 +272,6 @@ int main(void)
     drive(&direct, lidar);
     drive(&budgeted, lidar);
     drive(&far, lidar);
+    evidence();
     return 0;
 }

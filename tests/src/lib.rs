@@ -1,12 +1,13 @@
 //! Programs whose text runs on the host and, in QEMU, on a Cortex-M4F.
 //!
 //! [`rt`] is what they stand on (start, print, send, exit), [`drive`] the scripted drive, [`report`] its
-//! hashes, which must be the same everywhere, [`streaming`] how it becomes a stream of frames, [`c_drive`] a
-//! drive that C programs repeat, [`evidence`] a drive of local mapping, [`meter`] and [`workload`] what is measured and on what.
+//! hashes, which must be the same everywhere, [`streaming`] how it becomes a stream of frames, [`c_drive`] and
+//! [`c_evidence`] drives that C programs repeat, [`evidence`] a drive of local mapping, [`meter`] and [`workload`] what is measured and on what.
 #![no_std]
 
 mod arena;
 pub mod c_drive;
+pub mod c_evidence;
 pub mod drive;
 pub mod evidence;
 pub mod hash;

@@ -8,6 +8,8 @@ use crate::grid::BeamSlot;
 use super::sizes::HORUS_ALIGN;
 use super::status::horus_status;
 use crate::costmap::{CostTables, FieldCell};
+use crate::distance::EnvelopeVertex;
+use crate::evidence::{BeamLimits, EvidenceU16};
 
 /// A type of which all bits zero is a value.
 ///
@@ -25,6 +27,12 @@ unsafe impl Zeroed for u16 {}
 unsafe impl Zeroed for u32 {}
 // SAFETY: numbers; `EMPTY` is all bits zero.
 unsafe impl Zeroed for BeamSlot {}
+// SAFETY: as above.
+unsafe impl Zeroed for BeamLimits {}
+// SAFETY: as above.
+unsafe impl Zeroed for EnvelopeVertex {}
+// SAFETY: numbers; the vacuous cell is all bits zero.
+unsafe impl Zeroed for EvidenceU16 {}
 // SAFETY: numbers and flags, arrays of them; `EMPTY` is all bits zero.
 unsafe impl<F: FieldCell> Zeroed for CostTables<F> {}
 

@@ -28,6 +28,7 @@
 mod arena;
 mod call;
 mod cost_map;
+mod evidence;
 mod geometry;
 mod grid;
 mod grid_reads;
@@ -44,6 +45,7 @@ mod version;
 mod tests;
 
 pub use cost_map::*;
+pub use evidence::*;
 pub use geometry::*;
 pub use grid::*;
 pub use grid_reads::*;

@@ -1,10 +1,12 @@
 //! What the header's macros for static memory are made of, held to the objects they stand for.
 
 use super::cost_map::AnyCostMap;
+use super::evidence::{HORUS_LOCAL_MAPPING_INPAINTS, HORUS_LOCAL_MAPPING_SENSORS, Mapping};
 use super::grid::Grid;
 use super::object::Placed;
 use super::scan::Workspace;
 use crate::costmap::{CostMap, CostTables, FieldCell, scratch_words};
+use crate::evidence::{Inpaint, SensorConfig};
 
 /// Alignment, in bytes, of the memory given to every init.
 pub const HORUS_ALIGN: usize = 8;
@@ -37,10 +39,18 @@ pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 11008;
 #[cfg(target_pointer_width = "32")]
 pub const HORUS_COST_MAP_2_FIXED_BYTES: usize = 9888;
 
+/// Bytes of a local mapping besides its cells, beams and columns.
+#[cfg(target_pointer_width = "64")]
+pub const HORUS_LOCAL_MAPPING_FIXED_BYTES: usize = 1280;
+/// Bytes of a local mapping besides its cells, beams and columns.
+#[cfg(target_pointer_width = "32")]
+pub const HORUS_LOCAL_MAPPING_FIXED_BYTES: usize = 1088;
+
 // A constant that fails here is to be raised, and the header written anew.
 const _: () = {
     assert!(size_of::<Placed<Grid>>() <= HORUS_GRID_FIXED_BYTES);
     assert!(size_of::<Placed<Workspace>>() <= HORUS_SCAN_WORKSPACE_FIXED_BYTES);
+    assert!(local_mapping() <= HORUS_LOCAL_MAPPING_FIXED_BYTES);
     assert!(cost_map::<u8>(15) <= HORUS_COST_MAP_1_FIXED_BYTES);
     assert!(cost_map::<u16>(31) <= HORUS_COST_MAP_2_FIXED_BYTES);
 };
@@ -50,4 +60,11 @@ const fn cost_map<F: FieldCell>(radius: u32) -> usize {
     let handle = size_of::<Placed<AnyCostMap>>().next_multiple_of(HORUS_ALIGN);
     let object = handle + size_of::<CostMap<'static, F>>();
     object + size_of::<CostTables<F>>() + size_of::<u32>() * scratch_words(radius)
+}
+
+/// What a local mapping takes besides its buffers.
+const fn local_mapping() -> usize {
+    let object = size_of::<Placed<Mapping>>().next_multiple_of(HORUS_ALIGN);
+    let sensors = size_of::<[SensorConfig; HORUS_LOCAL_MAPPING_SENSORS]>();
+    object + sensors + size_of::<[Inpaint; HORUS_LOCAL_MAPPING_INPAINTS]>()
 }

@@ -59,12 +59,23 @@ pub enum horus_status {
     BudgetTooSmall = 24,
     /// A polygon needs three or more finite vertices within 2^30 cells.
     InvalidPolygon = 25,
+    /// Belief masses must be 0 to 1 and sum to at most 1.
+    InvalidMasses = 26,
+    /// A scan has no beams.
+    EmptyScan = 27,
+    /// There is no sensor of this index.
+    UnknownSensor = 28,
+    /// The sensor stands outside the map.
+    SensorOutsideMap = 29,
+    /// A threshold, floor, thickness, width, range, rectangle or distance of a local mapping is out of
+    /// its range.
+    InvalidMappingParameter = 30,
 }
 
 use horus_status as Status;
 
 /// Every status at the place of its number.
-const ALL: [Status; 26] = [
+const ALL: [Status; 31] = [
     Status::Ok,
     Status::NullPointer,
     Status::Misaligned,
@@ -91,6 +102,11 @@ const ALL: [Status; 26] = [
     Status::RadiusTooLarge,
     Status::BudgetTooSmall,
     Status::InvalidPolygon,
+    Status::InvalidMasses,
+    Status::EmptyScan,
+    Status::UnknownSensor,
+    Status::SensorOutsideMap,
+    Status::InvalidMappingParameter,
 ];
 
 const _: () = {
@@ -133,6 +149,11 @@ impl horus_status {
             Self::RadiusTooLarge => c"costs reach farther than the field can hold",
             Self::BudgetTooSmall => c"the budget is below the smallest",
             Self::InvalidPolygon => c"a polygon needs three or more finite vertices",
+            Self::InvalidMasses => c"belief masses must be 0 to 1 and sum to at most 1",
+            Self::EmptyScan => c"a scan has no beams",
+            Self::UnknownSensor => c"there is no sensor of this index",
+            Self::SensorOutsideMap => c"the sensor stands outside the map",
+            Self::InvalidMappingParameter => c"a parameter of local mapping is out of its range",
         }
     }
 }
@@ -158,11 +179,26 @@ impl From<Error> for horus_status {
                 Parameter::LethalCost => Self::InvalidLethalCost,
                 Parameter::LethalThreshold => Self::InvalidLethalThreshold,
                 Parameter::InscribedRadius => Self::InvalidInscribedRadius,
+                Parameter::IgnoranceFloor
+                | Parameter::RelativeOffset
+                | Parameter::WallThickness
+                | Parameter::MaxFreeRange
+                | Parameter::BeamHalfWidth
+                | Parameter::FreeThreshold
+                | Parameter::OccupiedThreshold
+                | Parameter::InpaintRectangle
+                | Parameter::MaxUncertain
+                | Parameter::MaxDistance => Self::InvalidMappingParameter,
             },
             Error::RadiusTooLarge { .. } => Self::RadiusTooLarge,
             Error::BudgetTooSmall { .. } => Self::BudgetTooSmall,
             Error::InvalidPolygon => Self::InvalidPolygon,
             Error::WindowOutside => Self::Outside,
+            Error::InvalidMasses => Self::InvalidMasses,
+            Error::EmptyScan => Self::EmptyScan,
+            Error::UnknownSensor(_) => Self::UnknownSensor,
+            Error::SensorOutsideMap(_) => Self::SensorOutsideMap,
+            Error::UnknownFusionOperator | Error::UnsupportedFusion => Self::InvalidChoice,
         }
     }
 }

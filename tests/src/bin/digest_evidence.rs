@@ -5,7 +5,7 @@ use horus_core::evidence::{EvidenceF32, EvidenceU8, EvidenceU16, FusionOperator,
 use horus_tests::evidence::{self, Buffers};
 use horus_tests::report::Line;
 use horus_tests::rt::hprintln;
-use horus_tests::{Arena, Once};
+use horus_tests::{Arena, Once, c_evidence};
 
 horus_tests::start!(run);
 
@@ -45,6 +45,14 @@ fn all() -> Result<(), horus_core::Error> {
     ] {
         let buffers = arena.zeroed::<Buffers<EvidenceU16, u16>>();
         evidence::run(name, FusionRule::new(operator), buffers.split(), print)?;
+    }
+    // The drives that the C programs repeat.
+    for (operator, name) in [
+        (FusionOperator::Pcr6, "c: evidence, pcr6"),
+        (FusionOperator::DempsterShafer, "c: evidence, dempster_shafer"),
+    ] {
+        let buffers = arena.zeroed::<Buffers<EvidenceU16, u16>>();
+        c_evidence::drive(name, operator, buffers.split(), print)?;
     }
     let bytes = arena.zeroed::<Buffers<EvidenceU8, i16>>();
     evidence::run("evidence u8: pcr6", FusionRule::default(), bytes.split(), print)?;

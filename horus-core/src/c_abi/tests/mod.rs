@@ -6,6 +6,7 @@
 extern crate std;
 
 mod cost_map;
+mod evidence;
 mod grid;
 mod memory;
 mod refusals;

@@ -12,8 +12,8 @@ pub(crate) fn fuse(rule: &PreparedRule, state: &mut [EvidenceF32], sensor: &[Evi
     let floor = rule.floor;
     match rule.operator {
         FusionOperator::Pcr6 => each(state, sensor, |pair, _| pair.unless_vacuous(pair.pcr6())),
-        FusionOperator::DempsterShafer => each(state, sensor, |pair, tally| {
-            floored(pair.unless_vacuous(pair.dempster(tally)), floor)
+        FusionOperator::DempsterShafer => each(state, sensor, |pair, undefined| {
+            floored(pair.unless_vacuous(pair.dempster(undefined)), floor)
         }),
         FusionOperator::JosangAverage => each(state, sensor, |pair, _| normalised(pair.average())),
         FusionOperator::JosangCumulative => each(state, sensor, |pair, _| {
@@ -22,22 +22,60 @@ pub(crate) fn fuse(rule: &PreparedRule, state: &mut [EvidenceF32], sensor: &[Evi
     }
 }
 
+/// Cells that are fused side by side: as many as vector registers hold, and one where there are none.
+const LANES: usize = if super::HAS_VECTORS { 8 } else { 1 };
+
 #[inline(always)]
 fn each(
     state: &mut [EvidenceF32],
     sensor: &[EvidenceF32],
-    rule: impl Fn(&Pair, &mut Tally) -> EvidenceF32,
+    rule: impl Fn(&Pair, &mut u32) -> EvidenceF32,
 ) -> Tally {
     let mut tally = Tally::default();
+    let (state, state_rest) = state.as_chunks_mut::<LANES>();
+    let (sensor, sensor_rest) = sensor.as_chunks::<LANES>();
     for (state, sensor) in state.iter_mut().zip(sensor) {
-        let pair = Pair::new(*state, *sensor);
-        // 1 + K as bits is 1 as bits plus K in units of 2^-23.
-        let units = (1.0 + pair.conflict()).to_bits().wrapping_sub(1.0f32.to_bits());
-        tally.conflicts = tally.conflicts.wrapping_add(u32::from(pair.conflict() > 0.0));
-        tally.mass = tally.mass.wrapping_add(u64::from(units));
-        *state = rule(&pair, &mut tally);
+        side_by_side(state, sensor, &rule, &mut tally);
+    }
+    for (state, sensor) in state_rest.iter_mut().zip(sensor_rest) {
+        side_by_side(
+            core::array::from_mut(state),
+            core::array::from_ref(sensor),
+            &rule,
+            &mut tally,
+        );
     }
     tally
+}
+
+#[inline(always)]
+fn side_by_side<const N: usize>(
+    state: &mut [EvidenceF32; N],
+    sensor: &[EvidenceF32; N],
+    rule: &impl Fn(&Pair, &mut u32) -> EvidenceF32,
+    tally: &mut Tally,
+) {
+    // One array per mass, so that each step of the arithmetic is one of vectors.
+    let (f1, o1) = (state.map(|c| c.parts().0), state.map(|c| c.parts().1));
+    let (f2, o2) = (sensor.map(|c| c.parts().0), sensor.map(|c| c.parts().1));
+    let (mut f, mut o) = ([0.0; N], [0.0; N]);
+    let (mut conflicts, mut units, mut undefined) = ([0; N], [0; N], [0; N]);
+    for i in 0..N {
+        let pair = Pair::new(EvidenceF32::of(f1[i], o1[i]), EvidenceF32::of(f2[i], o2[i]));
+        let conflict = pair.conflict();
+        // 1 + K as bits is 1 as bits plus K in units of 2^-23.
+        units[i] = (1.0 + conflict).to_bits().wrapping_sub(1.0f32.to_bits());
+        conflicts[i] = u32::from(conflict > 0.0);
+        (f[i], o[i]) = rule(&pair, &mut undefined[i]).parts();
+    }
+    for (i, state) in state.iter_mut().enumerate() {
+        *state = EvidenceF32::of(f[i], o[i]);
+    }
+    let sum = |counts: [u32; N]| counts.into_iter().fold(0, u32::wrapping_add);
+    tally.conflicts = tally.conflicts.wrapping_add(sum(conflicts));
+    // At most 8 * 2^23.
+    tally.mass = tally.mass.wrapping_add(u64::from(sum(units)));
+    tally.undefined = tally.undefined.wrapping_add(sum(undefined));
 }
 
 struct Pair {
@@ -92,12 +130,12 @@ impl Pair {
     }
 
     #[inline(always)]
-    fn dempster(&self, tally: &mut Tally) -> [f32; 3] {
+    fn dempster(&self, undefined: &mut u32) -> [f32; 3] {
         let agreement = self.agreement();
         // The norm 1 - K as the sum of what remains: no cancellation near K = 1.
         let norm = (agreement[0] + agreement[1]) + agreement[2];
         let is_total = norm <= 0.0;
-        tally.undefined = tally.undefined.wrapping_add(u32::from(is_total));
+        *undefined = u32::from(is_total);
         if is_total { [0.0, 0.0, 1.0] } else { agreement }
     }
 
@@ -141,11 +179,17 @@ fn not_negative(x: f32) -> f32 {
     if x > 0.0 { x } else { 0.0 }
 }
 
-/// p q / (p + q), 0 if both are 0.
+/// p q / (p + q), 0 if both are 0: without a branch, for what is divided is 0 where the sum is too
+/// small.
 #[inline(always)]
 fn part(p: f32, q: f32) -> f32 {
     let sum = p + q;
-    if sum > 0.0 { p * q / sum } else { 0.0 }
+    p * q
+        / if sum > f32::MIN_POSITIVE {
+            sum
+        } else {
+            f32::MIN_POSITIVE
+        }
 }
 
 /// Three masses scaled to sum to 1; the third is implied. Dividing by their sum is also what

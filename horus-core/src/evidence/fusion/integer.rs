@@ -94,29 +94,60 @@ fn each<M: IntegerCell>(
     tally
 }
 
-/// On machines of one lane, a vacuous cell, which is neutral, takes no arithmetic.
-const SKIPS_VACUOUS: bool = !cfg!(all(target_pointer_width = "64", not(horus_bits_kernel)));
+/// Cells that are fused side by side where there are vector registers.
+const LANES: usize = 8;
 
 #[inline(always)]
 fn pcr6<M: IntegerCell>(state: &mut [M], sensor: &[M]) -> Tally {
     let mut tally = Tally::default();
+    if super::HAS_VECTORS {
+        let (state, state_rest) = state.as_chunks_mut::<LANES>();
+        let (sensor, sensor_rest) = sensor.as_chunks::<LANES>();
+        for (state, sensor) in state.iter_mut().zip(sensor) {
+            // One array per mass, so that each step of the arithmetic is one of vectors.
+            let (f1, o1) = (state.map(|c| c.parts().0), state.map(|c| c.parts().1));
+            let (f2, o2) = (sensor.map(|c| c.parts().0), sensor.map(|c| c.parts().1));
+            let (mut f, mut o, mut conflicts) = ([0; LANES], [0; LANES], [0; LANES]);
+            for i in 0..LANES {
+                let pair = Pair::new(M::of(f1[i], o1[i]), M::of(f2[i], o2[i]));
+                ([f[i], o[i]], conflicts[i]) = pcr6_cell::<M>(&pair);
+            }
+            for (i, state) in state.iter_mut().enumerate() {
+                *state = M::of(f[i], o[i]);
+            }
+            conflicts.into_iter().for_each(|conflict| tally.count(conflict));
+        }
+        for (state, sensor) in state_rest.iter_mut().zip(sensor_rest) {
+            let ([f, o], conflict) = pcr6_cell::<M>(&Pair::new(*state, *sensor));
+            tally.count(conflict);
+            *state = M::of(f, o);
+        }
+        return tally;
+    }
     for (state, sensor) in state.iter_mut().zip(sensor) {
-        if SKIPS_VACUOUS && sensor.is_vacuous() {
+        // One by one, a vacuous cell, which is neutral, takes no arithmetic.
+        if sensor.is_vacuous() {
             continue;
         }
-        let pair = Pair::new(*state, *sensor);
-        let [mut f, mut o] = pair.agreement::<M>();
-        let ([f1, o1, _], [f2, o2, _]) = (pair.one, pair.two);
-        for (p, q) in [(f1, o2), (f2, o1)] {
-            let (conflict, share) = (p.wrapping_mul(q), share(p, q));
-            f = f.wrapping_add(share);
-            o = o.wrapping_add(conflict.wrapping_sub(share));
-        }
-        let [first, second] = pair.conflicts();
-        tally.count(first.wrapping_add(second));
-        *state = M::of(over_q::<M>(f), over_q::<M>(o));
+        let ([f, o], conflict) = pcr6_cell::<M>(&Pair::new(*state, *sensor));
+        tally.count(conflict);
+        *state = M::of(f, o);
     }
     tally
+}
+
+/// Free and occupied of two cells fused, and their conflict in units.
+#[inline(always)]
+fn pcr6_cell<M: IntegerCell>(pair: &Pair) -> ([u32; 2], u32) {
+    let [mut f, mut o] = pair.agreement::<M>();
+    let ([f1, o1, _], [f2, o2, _]) = (pair.one, pair.two);
+    for (p, q) in [(f1, o2), (f2, o1)] {
+        let (conflict, share) = (p.wrapping_mul(q), share(p, q));
+        f = f.wrapping_add(share);
+        o = o.wrapping_add(conflict.wrapping_sub(share));
+    }
+    let [first, second] = pair.conflicts();
+    ([over_q::<M>(f), over_q::<M>(o)], first.wrapping_add(second))
 }
 
 /// floor((2 n + Q) / (2 Q)), which for odd Q is floor((n + (Q - 1) / 2) / Q), for n <= Q^2.

@@ -17,6 +17,10 @@ pub use self::rule::{FusionRule, PreparedRule};
 use super::MassCell;
 use crate::error::Error;
 
+/// Whether cells are fused several at a time, in f64 where that is exact: on 64-bit hosts, all of which
+/// have vector registers and f64. Both ways give the same bits.
+const HAS_VECTORS: bool = cfg!(all(target_pointer_width = "64", not(horus_bits_kernel)));
+
 /// Fuses cells pairwise: `state[i]` becomes `state[i]` fused with `sensor[i]`.
 ///
 /// # Errors

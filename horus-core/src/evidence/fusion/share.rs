@@ -3,7 +3,7 @@
 /// floor(p^2 q / (p + q)) for p, q <= 65535, 0 if both are 0: the share of p in the conflict p q.
 #[inline(always)]
 pub(super) fn share(p: u32, q: u32) -> u32 {
-    if cfg!(all(target_pointer_width = "64", not(horus_bits_kernel))) {
+    if super::HAS_VECTORS {
         in_floats(p, q)
     } else {
         in_words(p, q)
