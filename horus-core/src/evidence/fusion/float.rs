@@ -11,7 +11,7 @@ pub(crate) const CONFLICT_UNIT: f32 = 1.0 / 8_388_608.0;
 pub(crate) fn fuse(rule: &PreparedRule, state: &mut [EvidenceF32], sensor: &[EvidenceF32]) -> Tally {
     let floor = rule.floor;
     match rule.operator {
-        FusionOperator::Pcr6 => each(state, sensor, |pair, _| pair.unless_vacuous(pair.pcr6())),
+        FusionOperator::Pcr6 => each(state, sensor, |pair, _| pair.pcr6()),
         FusionOperator::DempsterShafer => each(state, sensor, |pair, undefined| {
             floored(pair.unless_vacuous(pair.dempster(undefined)), floor)
         }),
@@ -23,7 +23,7 @@ pub(crate) fn fuse(rule: &PreparedRule, state: &mut [EvidenceF32], sensor: &[Evi
 }
 
 /// Cells that are fused side by side: as many as vector registers hold, and one where there are none.
-const LANES: usize = if super::HAS_VECTORS { 8 } else { 1 };
+const LANES: usize = if super::HAS_VECTORS { 32 } else { 1 };
 
 #[inline(always)]
 fn each(
@@ -32,6 +32,7 @@ fn each(
     rule: impl Fn(&Pair, &mut u32) -> EvidenceF32,
 ) -> Tally {
     let mut tally = Tally::default();
+    let (state, sensor) = super::same_length(state, sensor);
     let (state, state_rest) = state.as_chunks_mut::<LANES>();
     let (sensor, sensor_rest) = sensor.as_chunks::<LANES>();
     for (state, sensor) in state.iter_mut().zip(sensor) {
@@ -73,7 +74,7 @@ fn side_by_side<const N: usize>(
     }
     let sum = |counts: [u32; N]| counts.into_iter().fold(0, u32::wrapping_add);
     tally.conflicts = tally.conflicts.wrapping_add(sum(conflicts));
-    // At most 8 * 2^23.
+    // At most 32 * 2^23.
     tally.mass = tally.mass.wrapping_add(u64::from(sum(units)));
     tally.undefined = tally.undefined.wrapping_add(sum(undefined));
 }
@@ -122,11 +123,13 @@ impl Pair {
     }
 
     #[inline(always)]
-    fn pcr6(&self) -> [f32; 3] {
+    fn pcr6(&self) -> EvidenceF32 {
         let ([f1, o1, _], [f2, o2, _]) = (self.one, self.two);
-        let [f, o, u] = self.agreement();
+        let [f, o, _] = self.agreement();
         let (first, second) = (part(f1, o2), part(f2, o1));
-        [f + (f1 * first + f2 * second), o + (o2 * first + o1 * second), u]
+        // The sum is 1 but for rounding, and the uncertain mass takes that: no more is needed than
+        // that it stays a mass. A vacuous side leaves the other as it was, to the bit.
+        bounded(f + (f1 * first + f2 * second), o + (o2 * first + o1 * second))
     }
 
     #[inline(always)]
@@ -190,6 +193,13 @@ fn part(p: f32, q: f32) -> f32 {
         } else {
             f32::MIN_POSITIVE
         }
+}
+
+/// Two masses; where rounding made them exceed the whole, free gives way.
+#[inline(always)]
+pub(crate) fn bounded(f: f32, o: f32) -> EvidenceF32 {
+    let most = 1.0 - o;
+    EvidenceF32::of(if f < most { f } else { most }, o)
 }
 
 /// Three masses scaled to sum to 1; the third is implied. Dividing by their sum is also what

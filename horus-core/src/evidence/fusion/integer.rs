@@ -1,8 +1,7 @@
 //! The kernels of the fixed-point cells.
 
 use super::kernel::WHOLE;
-use super::share::share;
-use super::{FusionOperator, PreparedRule, Tally};
+use super::{FusionOperator, PreparedRule, Tally, share};
 use crate::evidence::{MassCell, Masses};
 
 /// A cell of two unsigned integers f + o <= Q, Q = 2^BITS - 1, BITS 8 or 16.
@@ -95,59 +94,64 @@ fn each<M: IntegerCell>(
 }
 
 /// Cells that are fused side by side where there are vector registers.
-const LANES: usize = 8;
+const LANES: usize = 32;
 
 #[inline(always)]
 fn pcr6<M: IntegerCell>(state: &mut [M], sensor: &[M]) -> Tally {
     let mut tally = Tally::default();
+    let (mut state, mut sensor) = super::same_length(state, sensor);
     if super::HAS_VECTORS {
-        let (state, state_rest) = state.as_chunks_mut::<LANES>();
-        let (sensor, sensor_rest) = sensor.as_chunks::<LANES>();
-        for (state, sensor) in state.iter_mut().zip(sensor) {
-            // One array per mass, so that each step of the arithmetic is one of vectors.
-            let (f1, o1) = (state.map(|c| c.parts().0), state.map(|c| c.parts().1));
-            let (f2, o2) = (sensor.map(|c| c.parts().0), sensor.map(|c| c.parts().1));
-            let (mut f, mut o, mut conflicts) = ([0; LANES], [0; LANES], [0; LANES]);
-            for i in 0..LANES {
-                let pair = Pair::new(M::of(f1[i], o1[i]), M::of(f2[i], o2[i]));
-                ([f[i], o[i]], conflicts[i]) = pcr6_cell::<M>(&pair);
-            }
-            for (i, state) in state.iter_mut().enumerate() {
-                *state = M::of(f[i], o[i]);
-            }
-            conflicts.into_iter().for_each(|conflict| tally.count(conflict));
+        let (states, state_rest) = state.as_chunks_mut::<LANES>();
+        let (sensors, sensor_rest) = sensor.as_chunks::<LANES>();
+        for (state, sensor) in states.iter_mut().zip(sensors) {
+            pcr6_side_by_side(state, sensor, &mut tally);
         }
-        for (state, sensor) in state_rest.iter_mut().zip(sensor_rest) {
-            let ([f, o], conflict) = pcr6_cell::<M>(&Pair::new(*state, *sensor));
-            tally.count(conflict);
-            *state = M::of(f, o);
-        }
-        return tally;
+        (state, sensor) = (state_rest, sensor_rest);
     }
     for (state, sensor) in state.iter_mut().zip(sensor) {
         // One by one, a vacuous cell, which is neutral, takes no arithmetic.
         if sensor.is_vacuous() {
             continue;
         }
-        let ([f, o], conflict) = pcr6_cell::<M>(&Pair::new(*state, *sensor));
+        let pair = Pair::new(*state, *sensor);
+        let ([f1, o1, _], [f2, o2, _]) = (pair.one, pair.two);
+        let shares = share::in_words(f1, o2).wrapping_add(share::in_words(f2, o1));
+        let ([f, o], conflict) = redistributed::<M>(&pair, shares);
         tally.count(conflict);
         *state = M::of(f, o);
     }
     tally
 }
 
-/// Free and occupied of two cells fused, and their conflict in units.
+/// Each step of the arithmetic for all cells, so that it is one of vectors.
 #[inline(always)]
-fn pcr6_cell<M: IntegerCell>(pair: &Pair) -> ([u32; 2], u32) {
-    let [mut f, mut o] = pair.agreement::<M>();
-    let ([f1, o1, _], [f2, o2, _]) = (pair.one, pair.two);
-    for (p, q) in [(f1, o2), (f2, o1)] {
-        let (conflict, share) = (p.wrapping_mul(q), share(p, q));
-        f = f.wrapping_add(share);
-        o = o.wrapping_add(conflict.wrapping_sub(share));
+fn pcr6_side_by_side<M: IntegerCell>(state: &mut [M; LANES], sensor: &[M; LANES], tally: &mut Tally) {
+    let (f1, o1) = (state.map(|c| c.parts().0), state.map(|c| c.parts().1));
+    let (f2, o2) = (sensor.map(|c| c.parts().0), sensor.map(|c| c.parts().1));
+    let (first, second) = (share::in_floats(&f1, &o2), share::in_floats(&f2, &o1));
+    let (mut conflicts, mut low, mut high) = (0u32, 0u32, 0u32);
+    for i in 0..LANES {
+        let pair = Pair::new(M::of(f1[i], o1[i]), M::of(f2[i], o2[i]));
+        let ([f, o], conflict) = redistributed::<M>(&pair, first[i].wrapping_add(second[i]));
+        state[i] = M::of(f, o);
+        conflicts = conflicts.wrapping_add(u32::from(conflict != 0));
+        low = low.wrapping_add(conflict & 0xffff);
+        high = high.wrapping_add(conflict >> 16);
     }
+    tally.conflicts = tally.conflicts.wrapping_add(conflicts);
+    let mass = u64::from(low).wrapping_add(u64::from(high) << 16);
+    tally.mass = tally.mass.wrapping_add(mass);
+}
+
+/// Free and occupied of two cells fused, given what of their conflict goes to free, and the conflict.
+#[inline(always)]
+fn redistributed<M: IntegerCell>(pair: &Pair, shares: u32) -> ([u32; 2], u32) {
+    let [f, o] = pair.agreement::<M>();
     let [first, second] = pair.conflicts();
-    ([over_q::<M>(f), over_q::<M>(o)], first.wrapping_add(second))
+    let conflict = first.wrapping_add(second);
+    let f = f.wrapping_add(shares);
+    let o = o.wrapping_add(conflict.wrapping_sub(shares));
+    ([over_q::<M>(f), over_q::<M>(o)], conflict)
 }
 
 /// floor((2 n + Q) / (2 Q)), which for odd Q is floor((n + (Q - 1) / 2) / Q), for n <= Q^2.

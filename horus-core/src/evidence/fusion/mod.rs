@@ -17,6 +17,16 @@ pub use self::rule::{FusionRule, PreparedRule};
 use super::MassCell;
 use crate::error::Error;
 
+/// Both as far as the shorter reaches, so that what is fused side by side belongs together.
+#[inline(always)]
+fn same_length<'s, M>(state: &'s mut [M], sensor: &'s [M]) -> (&'s mut [M], &'s [M]) {
+    let both = state.len().min(sensor.len());
+    (
+        state.get_mut(..both).unwrap_or_default(),
+        sensor.get(..both).unwrap_or_default(),
+    )
+}
+
 /// Whether cells are fused several at a time, in f64 where that is exact: on 64-bit hosts, all of which
 /// have vector registers and f64. Both ways give the same bits.
 const HAS_VECTORS: bool = cfg!(all(target_pointer_width = "64", not(horus_bits_kernel)));

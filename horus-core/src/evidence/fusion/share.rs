@@ -1,15 +1,7 @@
 //! PCR6's division of a conflict between its two parties, exactly.
 
 /// floor(p^2 q / (p + q)) for p, q <= 65535, 0 if both are 0: the share of p in the conflict p q.
-#[inline(always)]
-pub(super) fn share(p: u32, q: u32) -> u32 {
-    if super::HAS_VECTORS {
-        in_floats(p, q)
-    } else {
-        in_words(p, q)
-    }
-}
-
+///
 /// With 32-bit multiplications and two divisions, which a Cortex-M4 has instructions for.
 ///
 /// With s = p + q and p q = a s + r, r the remainder of least size, |r| <= s / 2 <= 65535, the share
@@ -37,20 +29,24 @@ pub(super) fn in_words(p: u32, q: u32) -> u32 {
     }
 }
 
-/// In f64 without branches, which a compiler makes vectors of. No 64-bit host is without f64.
+/// In f64 without branches, for several cells, which a compiler makes vectors of. No 64-bit host is
+/// without f64.
 ///
 /// p^2 q < 2^48 is exact, and the rounded quotient x is within 2^-22 of the true one. That is a
 /// multiple of 1 / s, s < 2^17, so that adding -1/2 + 2^-18 makes the nearest integer the floor, and
 /// adding 1.5 * 2^52, around which floats are one apart, leaves that integer in the low bits. A
 /// sum of 0 becomes 1: 0 / 1.
 #[inline(always)]
-pub(super) fn in_floats(p: u32, q: u32) -> u32 {
+pub(super) fn in_floats<const N: usize>(p: &[u32; N], q: &[u32; N]) -> [u32; N] {
     const FLOOR: f64 = 0.5 - 1.0 / 262_144.0;
     const LOW_BITS: f64 = 6_755_399_441_055_744.0;
-    let sum = (p + q).max(1);
-    let (p, q, sum) = (f64::from(p as i32), f64::from(q as i32), f64::from(sum as i32));
-    let quotient = p * p * q / sum;
-    ((quotient - FLOOR) + LOW_BITS).to_bits() as u32
+    let mut quotients = [0.0; N];
+    for i in 0..N {
+        let (p, q) = (f64::from(p[i] as i32), f64::from(q[i] as i32));
+        let sum = p + q;
+        quotients[i] = p * p * q / if sum > 1.0 { sum } else { 1.0 };
+    }
+    quotients.map(|quotient| ((quotient - FLOOR) + LOW_BITS).to_bits() as u32)
 }
 
 #[cfg(test)]
@@ -64,7 +60,7 @@ mod tests {
 
     fn check(p: u32, q: u32) {
         assert_eq!(in_words(p, q), literal(p, q), "{p} {q}");
-        assert_eq!(in_floats(p, q), literal(p, q), "{p} {q}");
+        assert_eq!(in_floats(&[p], &[q]), [literal(p, q)], "{p} {q}");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 use super::super::fusion::{Kernel, PreparedRule, Tally, float};
 use super::{MassCell, Masses};
 
-/// A mass cell of 8 bytes: two f32. Renormalised at each fusion, so that nothing drifts.
+/// A mass cell of 8 bytes: two f32. Their sum is kept a mass at each fusion, so that nothing drifts.
 ///
 /// The uncertain mass is what the other two leave of 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,12 +33,7 @@ impl MassCell for EvidenceF32 {
     };
 
     fn from_masses(masses: Masses) -> Self {
-        let (free, occupied) = (masses.free(), masses.occupied());
-        if free + occupied > 1.0 {
-            Self::of(1.0 - occupied, occupied)
-        } else {
-            Self::of(free, occupied)
-        }
+        float::bounded(masses.free(), masses.occupied())
     }
 
     fn masses(self) -> Masses {
