@@ -4,6 +4,7 @@ use super::mapping::{Mapping, horus_local_mapping};
 use crate::c_abi::call::{Call, Claims, Plain};
 use crate::c_abi::geometry::horus_shift;
 use crate::c_abi::status::horus_status;
+use crate::error::Error;
 use crate::evidence::{Flatscan, SensorScan, TickReport};
 use crate::geometry::Pose2D;
 
@@ -65,7 +66,7 @@ fn run(
     mapping: *mut horus_local_mapping,
     scan: *const horus_flatscan,
     report: *mut horus_tick_report,
-    tick: impl FnOnce(&mut Mapping, &[SensorScan<'_>]) -> Result<TickReport, crate::Error>,
+    tick: impl FnOnce(&mut Mapping, &[SensorScan<'_>]) -> Result<TickReport, Error>,
 ) -> Result<(), horus_status> {
     let mapping = claims.object_mut::<Mapping>(mapping)?;
     let report = claims.output_or_null(report)?;
