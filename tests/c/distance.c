@@ -4,7 +4,7 @@
 #include "check.h"
 #include "hash.h"
 
-enum { WIDTH = 64, HEIGHT = 48, RAYS = 48 };
+enum { WIDTH = 48, HEIGHT = 32, RAYS = 48 };
 
 static HORUS_MEMORY(grid_memory, HORUS_GRID_BYTES(WIDTH, HEIGHT));
 /* One map after the other; the largest. */
@@ -22,7 +22,7 @@ static void fill(horus_grid *grid)
         for (uint32_t gx = 0; gx < WIDTH; gx++) {
             uint32_t n = next(&noise) % 64;
             int8_t value = (int8_t)(n % 50);
-            if (n < 2 && gy < 30)
+            if (n < 2 && gy < 20)
                 value = 100;
             else if (n >= 2 && n < 4)
                 value = -1;
@@ -34,7 +34,7 @@ static void fill(horus_grid *grid)
 static void distances(const char *stage, const horus_grid *grid, uint8_t cell_bytes, uint8_t is_signed,
                       horus_distance_options options)
 {
-    static const horus_cell_rect part = { 20, 9, 51, 40 };
+    static const horus_cell_rect part = { 12, 6, 39, 28 };
     horus_distance_map_config config = { WIDTH, HEIGHT, cell_bytes, is_signed };
     horus_distance_map *map;
     uint32_t hash = HASH;

@@ -11,9 +11,9 @@ use crate::made_up::next;
 use crate::report::Line;
 
 /// Columns of the map.
-pub const WIDTH: u32 = 64;
+pub const WIDTH: u32 = 48;
 /// Rows of the map.
-pub const HEIGHT: u32 = 48;
+pub const HEIGHT: u32 = 32;
 const CELLS: usize = (WIDTH * HEIGHT) as usize;
 /// Rays from every pose.
 const RAYS: u32 = 48;
@@ -45,7 +45,7 @@ fn fill(grid: &mut Grid<'_>) {
         for gx in 0..WIDTH {
             let n = next(&mut noise) % 64;
             let value = match n {
-                0..2 if gy < 30 => 100,
+                0..2 if gy < 20 => 100,
                 2..4 => -1,
                 _ => (n % 50) as i8,
             };
@@ -63,10 +63,10 @@ fn distances<D: DistanceCell>(
     let mut map = DistanceMap::new_in(buffers.split());
     let mut hash = Hash::default();
     let window = CellRect {
-        x0: 20,
-        y0: 9,
-        x1: 51,
-        y1: 40,
+        x0: 12,
+        y0: 6,
+        x1: 39,
+        y1: 28,
     };
     for window in [None, Some(window)] {
         match window {

@@ -162,7 +162,8 @@ fn ram_is_as_documented() {
 #[test]
 fn no_panic_can_be_reached() {
     let every = "serde,defmt,c-abi,dsp";
-    for features in ["", "serde", "defmt", "c-abi", "dsp", every] {
+    // Each links all of core; what one feature adds, all of them together show, too.
+    for features in ["", "c-abi", every] {
         if let Err(linker) = build(Profile::RELEASE, &["probe"], features) {
             panic!("features [{features}]: something in core can panic:\n{linker}");
         }

@@ -34,10 +34,8 @@ fn distances_live_in_the_callers_memory() {
         let config = config(6, 5, cell_bytes, is_signed);
         let (mut bytes, mut map) = (0, ptr::null_mut());
         // SAFETY: the pointers are good.
-        assert_eq!(
-            unsafe { horus_distance_map_bytes(&config, &mut bytes) },
-            Status::Ok
-        );
+        let status = unsafe { horus_distance_map_bytes(&config, &mut bytes) };
+        assert_eq!(status, Status::Ok);
         let memory = Memory::new(bytes);
         // SAFETY: the handles are live once made, the pointers are good.
         unsafe {
