@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::subject::{self, Masses};
+use crate::evidence_subject::{self as subject, Masses};
 use crate::vectors::{f32_of, int, items, vectors};
 
 /// A scan, a lattice and a sensor model as the vectors describe them.

@@ -22,8 +22,8 @@ pub(crate) fn fuse(rule: &PreparedRule, state: &mut [EvidenceF32], sensor: &[Evi
     }
 }
 
-/// Cells that are fused side by side: as many as vector registers hold, and one where there are none.
-const LANES: usize = if super::HAS_VECTORS { 32 } else { 1 };
+/// Cells whose conflicts are counted in 32 bits.
+const CHUNK: usize = 256;
 
 #[inline(always)]
 fn each(
@@ -32,51 +32,25 @@ fn each(
     rule: impl Fn(&Pair, &mut u32) -> EvidenceF32,
 ) -> Tally {
     let mut tally = Tally::default();
-    let (state, sensor) = super::same_length(state, sensor);
-    let (state, state_rest) = state.as_chunks_mut::<LANES>();
-    let (sensor, sensor_rest) = sensor.as_chunks::<LANES>();
-    for (state, sensor) in state.iter_mut().zip(sensor) {
-        side_by_side(state, sensor, &rule, &mut tally);
-    }
-    for (state, sensor) in state_rest.iter_mut().zip(sensor_rest) {
-        side_by_side(
-            core::array::from_mut(state),
-            core::array::from_ref(sensor),
-            &rule,
-            &mut tally,
-        );
+    for (state, sensor) in state.chunks_mut(CHUNK).zip(sensor.chunks(CHUNK)) {
+        // One loop that reads, computes and writes: a compiler makes vectors of it.
+        let (mut conflicts, mut units, mut undefined) = (0u32, 0u32, 0u32);
+        for (state, sensor) in state.iter_mut().zip(sensor) {
+            let pair = Pair::new(*state, *sensor);
+            let conflict = pair.conflict();
+            conflicts = conflicts.wrapping_add(u32::from(conflict > 0.0));
+            // 1 + K as bits is 1 as bits plus K in units of 2^-23.
+            units = units.wrapping_add((1.0 + conflict).to_bits().wrapping_sub(1.0f32.to_bits()));
+            let mut is_undefined = 0;
+            *state = rule(&pair, &mut is_undefined);
+            undefined = undefined.wrapping_add(is_undefined);
+        }
+        tally.conflicts = tally.conflicts.wrapping_add(conflicts);
+        // At most 256 * 2^23.
+        tally.mass = tally.mass.wrapping_add(u64::from(units));
+        tally.undefined = tally.undefined.wrapping_add(undefined);
     }
     tally
-}
-
-#[inline(always)]
-fn side_by_side<const N: usize>(
-    state: &mut [EvidenceF32; N],
-    sensor: &[EvidenceF32; N],
-    rule: &impl Fn(&Pair, &mut u32) -> EvidenceF32,
-    tally: &mut Tally,
-) {
-    // One array per mass, so that each step of the arithmetic is one of vectors.
-    let (f1, o1) = (state.map(|c| c.parts().0), state.map(|c| c.parts().1));
-    let (f2, o2) = (sensor.map(|c| c.parts().0), sensor.map(|c| c.parts().1));
-    let (mut f, mut o) = ([0.0; N], [0.0; N]);
-    let (mut conflicts, mut units, mut undefined) = ([0; N], [0; N], [0; N]);
-    for i in 0..N {
-        let pair = Pair::new(EvidenceF32::of(f1[i], o1[i]), EvidenceF32::of(f2[i], o2[i]));
-        let conflict = pair.conflict();
-        // 1 + K as bits is 1 as bits plus K in units of 2^-23.
-        units[i] = (1.0 + conflict).to_bits().wrapping_sub(1.0f32.to_bits());
-        conflicts[i] = u32::from(conflict > 0.0);
-        (f[i], o[i]) = rule(&pair, &mut undefined[i]).parts();
-    }
-    for (i, state) in state.iter_mut().enumerate() {
-        *state = EvidenceF32::of(f[i], o[i]);
-    }
-    let sum = |counts: [u32; N]| counts.into_iter().fold(0, u32::wrapping_add);
-    tally.conflicts = tally.conflicts.wrapping_add(sum(conflicts));
-    // At most 32 * 2^23.
-    tally.mass = tally.mass.wrapping_add(u64::from(sum(units)));
-    tally.undefined = tally.undefined.wrapping_add(sum(undefined));
 }
 
 struct Pair {

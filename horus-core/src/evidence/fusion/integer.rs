@@ -5,6 +5,7 @@ use super::{FusionOperator, PreparedRule, Tally, share};
 use crate::evidence::{MassCell, Masses};
 
 /// A cell of two unsigned integers f + o <= Q, Q = 2^BITS - 1, BITS 8 or 16.
+#[doc(hidden)]
 pub trait IntegerCell: MassCell {
     const BITS: u32;
     /// The full scale Q.

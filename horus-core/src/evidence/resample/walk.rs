@@ -59,8 +59,8 @@ impl CellWalk {
     /// The place of the present cell; the walk goes on to the next one along x.
     #[inline(always)]
     pub(crate) fn next(&mut self) -> Place {
-        let [x, y] = self.at;
-        self.at = [x.wrapping_add(self.along_x[0]), y.wrapping_add(self.along_x[1])];
+        let ([x, y], [dx, dy]) = (self.at, self.along_x);
+        self.at = [x.wrapping_add(dx), y.wrapping_add(dy)];
         Place {
             row: (x >> 32) as i32,
             col: (y >> 32) as i32,
@@ -70,7 +70,8 @@ impl CellWalk {
 
     /// Goes on to the next line.
     pub(crate) fn next_line(&mut self) {
-        self.at = [0, 1].map(|axis| self.at[axis].wrapping_add(self.along_y[axis]));
+        let ([x, y], [dx, dy]) = (self.at, self.along_y);
+        self.at = [x.wrapping_add(dx), y.wrapping_add(dy)];
     }
 }
 

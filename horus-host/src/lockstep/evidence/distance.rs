@@ -36,7 +36,7 @@ mod tests {
             let set: Vec<bool> = (0..width * 19)
                 .map(|_| {
                     noise = noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                    (noise >> 8) % rarity == 0
+                    (noise >> 8).is_multiple_of(rarity)
                 })
                 .collect();
             let rings: Vec<u32> = (0..set.len())
