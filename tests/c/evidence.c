@@ -6,7 +6,7 @@
 #include "check.h"
 #include "hash.h"
 
-enum { SIDE = 64, BEAMS = 120, TICKS = 12 };
+enum { SIDE = 56, BEAMS = 120, TICKS = 12 };
 
 static HORUS_MEMORY(memory, HORUS_LOCAL_MAPPING_BYTES(SIDE, SIDE, BEAMS, SIDE, SIDE));
 static float angles[BEAMS], ranges[BEAMS];

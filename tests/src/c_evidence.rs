@@ -14,7 +14,7 @@ use crate::made_up::metres;
 use crate::report::Line;
 
 /// Cells per side of the fused map and of the lidar's lattice.
-const SIDE: u32 = 64;
+const SIDE: u32 = 56;
 const BEAMS: usize = 120;
 const TICKS: i32 = 12;
 
