@@ -12,6 +12,7 @@
 //! | [`costmap`] | targets `costmap_u8` and `costmap_u16` |
 //! | [`distance`] | target `distance` |
 //! | [`local`] | target `local` |
+//! | [`evidence`] | target `evidence` |
 //! | [`mcap_reader`] | target `mcap_reader` |
 //! | [`frames`] | target `frames` |
 
@@ -19,6 +20,7 @@ pub mod compare;
 pub mod costmap;
 pub mod damage;
 pub mod distance;
+pub mod evidence;
 pub mod frames;
 pub mod grid;
 pub mod local;

@@ -5,8 +5,9 @@
  * Costs are bytes: 0 free .. 254 lethal, 255 unknown.
  *
  * Memory. Nothing is allocated. An object (horus_grid, horus_scan_workspace, horus_cost_map,
- * horus_distance_map, horus_local_map) lies with all its buffers in one block of your memory, aligned
- * to HORUS_ALIGN: horus_..._bytes() tells how long, horus_..._init() makes it there, and its handle is the block's address. For static
+ * horus_distance_map, horus_local_map, horus_local_mapping) lies with all its buffers in one block of
+ * your memory, aligned to HORUS_ALIGN: horus_..._bytes() tells how long, horus_..._init() makes it
+ * there, and its handle is the block's address. For static
  * memory there are macros:
  *
  *     static HORUS_MEMORY(memory, HORUS_COST_MAP_BYTES(200, 200, 1, 0));
@@ -85,6 +86,16 @@
     HORUS_ROUND_UP(HORUS_LOCAL_MAP_FIXED_BYTES + (size_t)(lidars) * (16 * (size_t)(beams) + 24) + \
                    (size_t)(width) * (size_t)(height) * ((publishes) ? 2 : 1))
 
+/// Bytes of two bits per cell of a sensor's lattice and its border.
+#define HORUS_CLASS_BYTES(rows, cols) ((((size_t)(rows) + 5) / 4 + 1) * ((size_t)(cols) + 2))
+
+/// At least horus_local_mapping_bytes(), as a constant expression: rows and columns of the fused map,
+/// beams of a scan, rows and columns of the largest sensor lattice.
+#define HORUS_LOCAL_MAPPING_BYTES(rows, cols, beams, sensor_rows, sensor_cols) \
+    HORUS_ROUND_UP(HORUS_LOCAL_MAPPING_FIXED_BYTES + 6 * (size_t)(rows) * (size_t)(cols) + \
+                   4 * HORUS_BITMAP_WORDS(rows, cols) + 8 * (size_t)(beams) + 12 * (size_t)(rows) + \
+                   HORUS_CLASS_BYTES(sensor_rows, sensor_cols))
+
 
 /// Version of the binary interface: compare it with horus_abi_version() to see that header and
 /// library belong together.
@@ -153,11 +164,27 @@
 #define HORUS_LOCAL_MAP_FIXED_BYTES 2816
 #endif
 
+#if defined(HORUS_POINTERS_64)
+/// Bytes of a local mapping besides its cells, beams and columns.
+#define HORUS_LOCAL_MAPPING_FIXED_BYTES 1280
+#endif
+
+#if defined(HORUS_POINTERS_32)
+/// Bytes of a local mapping besides its cells, beams and columns.
+#define HORUS_LOCAL_MAPPING_FIXED_BYTES 1088
+#endif
+
 /// Most lidars of a local map.
 #define HORUS_LOCAL_MAP_LIDARS 4
 
 /// Bytes of a name in a local map's configuration; a shorter one ends with a zero.
 #define HORUS_LOCAL_MAP_NAME 32
+
+/// Most sensors of a local mapping.
+#define HORUS_LOCAL_MAPPING_SENSORS 4
+
+/// Most painted rectangles of a local mapping.
+#define HORUS_LOCAL_MAPPING_INPAINTS 4
 
 /// Whether a call did what it was asked to. Anything but HORUS_STATUS_OK: nothing has changed and
 /// nothing was written, unless the function says otherwise.
@@ -230,6 +257,17 @@ enum horus_status
     HORUS_STATUS_GEOMETRY_MISMATCH = 30,
     /// Nothing of this name was written, or something else.
     HORUS_STATUS_NOT_FOUND = 31,
+    /// Belief masses must be 0 to 1 and sum to at most 1.
+    HORUS_STATUS_INVALID_MASSES = 32,
+    /// A scan has no beams.
+    HORUS_STATUS_EMPTY_SCAN = 33,
+    /// There is no sensor of this index.
+    HORUS_STATUS_UNKNOWN_SENSOR = 34,
+    /// The sensor stands outside the map.
+    HORUS_STATUS_SENSOR_OUTSIDE_MAP = 35,
+    /// A threshold, floor, thickness, width, range, rectangle or distance of a local mapping is out of
+    /// its range.
+    HORUS_STATUS_INVALID_MAPPING_PARAMETER = 36,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -320,6 +358,48 @@ typedef int32_t horus_footprint_kind;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
+/// How two pieces of evidence about a cell become one.
+enum horus_fusion_operator
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /// Proportional conflict redistribution; the default.
+    HORUS_FUSION_OPERATOR_PCR6 = 0,
+    /// Dempster's rule of combination.
+    HORUS_FUSION_OPERATOR_DEMPSTER_SHAFER = 1,
+    /// Josang's averaging belief fusion: cells that no beam covers forget what they knew.
+    HORUS_FUSION_OPERATOR_JOSANG_AVERAGE = 2,
+    /// Josang's cumulative belief fusion.
+    HORUS_FUSION_OPERATOR_JOSANG_CUMULATIVE = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum horus_fusion_operator horus_fusion_operator;
+#else
+typedef int32_t horus_fusion_operator;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/// The frame that a painted rectangle lies in.
+enum horus_inpaint_frame
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /// It moves with the robot.
+    HORUS_INPAINT_FRAME_ROBOT = 0,
+    /// It stays where it is.
+    HORUS_INPAINT_FRAME_WORLD = 1,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum horus_inpaint_frame horus_inpaint_frame;
+#else
+typedef int32_t horus_inpaint_frame;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
 /// An occupancy grid with inflated costs that follow its every change. Costs are bytes: 0 free ..
 /// lethal_cost, 255 unknown. It lies in memory of its user.
 typedef struct horus_cost_map horus_cost_map;
@@ -334,6 +414,11 @@ typedef struct horus_grid horus_grid;
 /// A rolling map of what lidars see around a robot: one byte per cell, 0 occupied, 128 unknown, 255
 /// free, row by row from the lowest y. It lies, with its sensing state, in memory of its user.
 typedef struct horus_local_map horus_local_map;
+
+/// The whole chain of local mapping: scans become evidence, are fused into a rolling map, which is
+/// painted over, cut into free and occupied, and measured for distances. It lies in memory of its
+/// user.
+typedef struct horus_local_mapping horus_local_mapping;
 
 /// What integrating scans of one lidar needs beside the grid: its beams' directions, computed again
 /// only when the scan's angles change. Keep one per lidar.
@@ -635,6 +720,130 @@ typedef struct {
     /// The corner of cell (0, 0) in the map's frame.
     horus_point origin;
 } horus_grid_map_view;
+
+/// Where the cells of a grid lie: rows along x, columns along y of the pose of the corner of cell
+/// (0, 0).
+typedef struct {
+    /// Cells along x.
+    uint32_t rows;
+    /// Cells along y.
+    uint32_t cols;
+    /// Metres per cell.
+    float cell_size;
+    /// Pose of the corner of cell (0, 0) in its frame.
+    horus_pose2d pose;
+} horus_lattice;
+
+/// Belief masses of a cell, each 0 to 1, their sum at most 1; the rest is uncertain.
+typedef struct {
+    /// Belief that the cell is free.
+    float free;
+    /// Belief that the cell is occupied.
+    float occupied;
+} horus_masses;
+
+/// A sensor on the robot, and what its beams say.
+typedef struct {
+    /// The cells its scans are turned into, in the robot's frame.
+    horus_lattice lattice;
+    /// Its pose in the robot's frame.
+    horus_pose2d mount;
+    /// Masses of a cell before the hit.
+    horus_masses m_free;
+    /// Masses of a cell at the hit.
+    horus_masses m_occ;
+    /// Depth of an obstacle behind the hit, metres.
+    float wall_thickness;
+    /// How far a beam that hit nothing frees cells, metres; below 0: the scan's out_of_range_threshold.
+    float max_free_range;
+    /// Half the angle of each beam, radians; below 0: half the gaps between beams.
+    float beam_half_width;
+} horus_sensor_config;
+
+/// A rectangle whose cells are given masses, whatever the sensors say.
+typedef struct {
+    /// A horus_inpaint_frame.
+    int32_t frame;
+    /// First x, metres.
+    float x0;
+    /// Last x, metres.
+    float x1;
+    /// First y, metres.
+    float y0;
+    /// Last y, metres.
+    float y1;
+    /// What its cells hold.
+    horus_masses masses;
+} horus_inpaint;
+
+/// What a local mapping does, stage by stage.
+typedef struct {
+    /// The window of the fused map in the world; it moves with the robot.
+    horus_lattice lattice;
+    /// A horus_fusion_operator.
+    int32_t fusion;
+    /// Least uncertain mass under Dempster's and Josang's cumulative rule; 0: none.
+    float ignorance_floor;
+    /// Least mass free of a free cell.
+    float free_threshold;
+    /// Least mass occupied of an occupied cell.
+    float occupied_threshold;
+    /// Whether other cells are free (not 0) or occupied (0).
+    uint32_t is_optimistic;
+    /// Metres at which distances are capped.
+    float max_distance;
+    /// Most beams a scan may have.
+    uint32_t beams;
+    /// Sensors in use; scans name them by index.
+    uint32_t sensor_count;
+    /// The sensors.
+    horus_sensor_config sensors[HORUS_LOCAL_MAPPING_SENSORS];
+    /// Painted rectangles in use, the last one uppermost.
+    uint32_t inpaint_count;
+    /// The rectangles.
+    horus_inpaint inpaints[HORUS_LOCAL_MAPPING_INPAINTS];
+} horus_local_mapping_config;
+
+/// One sweep of a range sensor with beams at any angles. Ranges are metres: NaN and -inf say nothing,
+/// +inf is no hit.
+typedef struct {
+    /// Directions of the beams in the sensor's frame, radians, ascending.
+    const float *angles;
+    /// One range per beam.
+    const float *ranges;
+    /// How far each beam could see, metres; NULL if that is not known.
+    const float *visibilities;
+    /// Beams.
+    size_t count;
+    /// Index of the sensor in the configuration.
+    uint32_t sensor;
+    /// Ranges up to this say nothing.
+    float invalid_range_threshold;
+    /// Ranges from this on are no hit.
+    float out_of_range_threshold;
+} horus_flatscan;
+
+/// What a tick did.
+typedef struct {
+    /// Whole cells by which the window moved.
+    horus_shift shift;
+    /// Cells in which the scan contradicted the map.
+    uint32_t conflicts;
+    /// The mass in conflict, over all cells.
+    float conflict_mass;
+    /// Cells that became vacuous in a total conflict (Dempster's rule).
+    uint32_t undefined;
+    /// Rows of distances that still wait; 0: they can be read.
+    uint32_t distance_rows_left;
+} horus_tick_report;
+
+/// A mass cell: free and occupied in steps of 1 / 65535; what they leave of 65535 is uncertain.
+typedef struct {
+    /// Mass free.
+    uint16_t free;
+    /// Mass occupied, at most 65535 - free.
+    uint16_t occupied;
+} horus_evidence_cell;
 
 #ifdef __cplusplus
 extern "C" {
@@ -1142,6 +1351,116 @@ horus_status horus_local_map_read_gridmap(const horus_local_map *map, horus_grid
 /// Fails with HORUS_STATUS_NOT_FOUND if none was.
 horus_status horus_local_map_read_transformation(const horus_local_map *map,
                                                  horus_pose2d *transformation);
+
+/// A configuration with the usual numbers, PCR6 and no sensor: set the lattice, the beams and at least
+/// one sensor.
+horus_local_mapping_config horus_local_mapping_config_default(void);
+
+/// A sensor in the middle of the robot with the usual masses, over a lattice of so many cells around
+/// it.
+horus_sensor_config horus_sensor_config_default(uint32_t rows,
+                                                uint32_t cols,
+                                                float cell_size);
+
+/// A lattice with its frame's origin in the middle.
+horus_lattice horus_lattice_around(uint32_t rows, uint32_t cols, float cell_size);
+
+/// Bytes of memory that such a mapping takes: 6 per cell of the fused map, a quarter per cell of the
+/// largest sensor lattice, 8 per beam, and a few.
+///
+/// Fails with HORUS_STATUS_INVALID_RESOLUTION, HORUS_STATUS_NON_FINITE_POSE,
+/// HORUS_STATUS_SIZE_OVERFLOW.
+horus_status horus_local_mapping_bytes(const horus_local_mapping_config *config,
+                                       size_t *bytes);
+
+/// Makes a mapping that knows nothing in `length` bytes of memory.
+///
+/// Fails as horus_local_mapping_bytes does, and with HORUS_STATUS_BUFFER_TOO_SMALL,
+/// HORUS_STATUS_INVALID_CHOICE, HORUS_STATUS_INVALID_MASSES, HORUS_STATUS_INVALID_MAPPING_PARAMETER.
+horus_status horus_local_mapping_init(void *memory,
+                                      size_t length,
+                                      const horus_local_mapping_config *config,
+                                      horus_local_mapping **mapping);
+
+/// One tick of the whole chain: moves the window to the robot (its pose in the world), fuses a scan
+/// (NULL: none), paints, cuts and measures. `report` may be NULL. For scans of several sensors tick
+/// once for each.
+///
+/// Fails with HORUS_STATUS_NON_FINITE_POSE, HORUS_STATUS_OFFSET_OUT_OF_RANGE,
+/// HORUS_STATUS_INVALID_SCAN, HORUS_STATUS_EMPTY_SCAN, HORUS_STATUS_WORKSPACE_TOO_SMALL,
+/// HORUS_STATUS_UNKNOWN_SENSOR, HORUS_STATUS_SENSOR_OUTSIDE_MAP.
+horus_status horus_local_mapping_tick(horus_local_mapping *mapping,
+                                      const horus_flatscan *scan,
+                                      horus_pose2d robot,
+                                      horus_tick_report *report);
+
+/// As horus_local_mapping_tick, but does at most `rows` rows of the distance stage, which takes
+/// 2 * height of them. A stage once begun is finished by later ticks before another begins.
+///
+/// Fails as horus_local_mapping_tick does.
+horus_status horus_local_mapping_tick_within(horus_local_mapping *mapping,
+                                             const horus_flatscan *scan,
+                                             horus_pose2d robot,
+                                             uint32_t rows,
+                                             horus_tick_report *report);
+
+/// Size, resolution and place of the fused map.
+horus_status horus_local_mapping_info(const horus_local_mapping *mapping, horus_map_info *info);
+
+/// A cell of the fused map, before painting.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_local_mapping_evidence(const horus_local_mapping *mapping,
+                                          uint32_t gx,
+                                          uint32_t gy,
+                                          horus_evidence_cell *cell);
+
+/// The masses of a cell after painting.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_local_mapping_masses(const horus_local_mapping *mapping,
+                                        uint32_t gx,
+                                        uint32_t gy,
+                                        horus_masses *masses);
+
+/// Whether a cell of the binary map is occupied.
+///
+/// Fails with HORUS_STATUS_OUTSIDE.
+horus_status horus_local_mapping_is_occupied(const horus_local_mapping *mapping,
+                                             uint32_t gx,
+                                             uint32_t gy,
+                                             bool *occupied);
+
+/// Metres from a cell to the nearest occupied one.
+///
+/// Fails with HORUS_STATUS_OUTSIDE, also while a distance stage has not ended.
+horus_status horus_local_mapping_distance(const horus_local_mapping *mapping,
+                                          uint32_t gx,
+                                          uint32_t gy,
+                                          float *metres);
+
+/// Occupancy values of the fused map, before painting, row by row: the probability that a cell is
+/// occupied in percent, or -1 where more than `max_uncertain` is uncertain. What horus_cost_map_load
+/// takes.
+///
+/// Fails with HORUS_STATUS_LENGTH_MISMATCH unless count is the number of cells,
+/// HORUS_STATUS_INVALID_MAPPING_PARAMETER.
+horus_status horus_local_mapping_occupancy(const horus_local_mapping *mapping,
+                                           float max_uncertain,
+                                           int8_t *values,
+                                           size_t count);
+
+/// Fuses two mass cells by a horus_fusion_operator. `conflict`, which may be NULL, takes the mass in
+/// conflict.
+///
+/// Fails with HORUS_STATUS_INVALID_CHOICE, HORUS_STATUS_INVALID_MASSES,
+/// HORUS_STATUS_INVALID_MAPPING_PARAMETER.
+horus_status horus_evidence_fuse(int32_t fusion,
+                                 float ignorance_floor,
+                                 horus_evidence_cell one,
+                                 horus_evidence_cell two,
+                                 horus_evidence_cell *fused,
+                                 float *conflict);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -52,6 +52,18 @@ pub enum Error {
     /// A polygon with fewer than three vertices, or with a vertex that is not finite or is
     /// farther than 2^30 cells away.
     InvalidPolygon,
+    /// Belief masses outside 0 to 1, or that do not sum to 1.
+    InvalidMasses,
+    /// A scan without beams.
+    EmptyScan,
+    /// No fusion operator has this name.
+    UnknownFusionOperator,
+    /// A scan names a sensor that there is not.
+    UnknownSensor(usize),
+    /// A sensor stands outside the fused map.
+    SensorOutsideMap(usize),
+    /// This type of mass cell is too coarse for the fusion operator.
+    UnsupportedFusion,
     /// A window of cells that reaches out of its grid, or whose end lies before its start.
     WindowOutside,
     /// A sensor's or map's name is longer than [`MAX_NAME`](crate::local::MAX_NAME) bytes.
@@ -96,6 +108,8 @@ pub enum Buffer {
     Seen,
     /// A frame being built, see [`MIN_BUFFER`](crate::frames::MIN_BUFFER).
     Frame,
+    /// Classes of a sensor grid, see [`class_bytes`](crate::evidence::class_bytes).
+    Classes,
     /// Squared distances, one per cell of the [region](crate::distance::DistanceMap::region).
     Distances,
     /// Vertices of a distance map, one per column, two if signed.
@@ -134,6 +148,26 @@ pub enum Parameter {
     FieldOfView,
     /// `max_range` of a lidar: finite and >= 0 metres.
     MaxRange,
+    /// `ignorance_floor`: 0 to below 1.
+    IgnoranceFloor,
+    /// `relative_offset`: finite.
+    RelativeOffset,
+    /// `wall_thickness`: finite and >= 0 metres.
+    WallThickness,
+    /// `max_free_range`: >= 0 metres.
+    MaxFreeRange,
+    /// `beam_half_width`: >= 0 radians.
+    BeamHalfWidth,
+    /// `free_threshold`: 0 to 1.
+    FreeThreshold,
+    /// `occupied_threshold`: 0 to 1.
+    OccupiedThreshold,
+    /// The rectangle of an [`Inpaint`](crate::evidence::Inpaint): finite, each side in order.
+    InpaintRectangle,
+    /// `max_uncertain`: 0 to 1.
+    MaxUncertain,
+    /// `max_distance`: above 0 metres.
+    MaxDistance,
 }
 
 impl Parameter {
@@ -149,6 +183,16 @@ impl Parameter {
             Self::StartAngle => "start_angle must be finite",
             Self::FieldOfView => "fov must be finite",
             Self::MaxRange => "max_range must be finite and not negative",
+            Self::IgnoranceFloor => "ignorance_floor must be 0 to below 1",
+            Self::RelativeOffset => "relative_offset must be finite",
+            Self::WallThickness => "wall_thickness must be finite and not negative",
+            Self::MaxFreeRange => "max_free_range must not be negative",
+            Self::BeamHalfWidth => "beam_half_width must not be negative",
+            Self::FreeThreshold => "free_threshold must be 0 to 1",
+            Self::OccupiedThreshold => "occupied_threshold must be 0 to 1",
+            Self::InpaintRectangle => "an inpaint rectangle must be finite, its sides in order",
+            Self::MaxUncertain => "max_uncertain must be 0 to 1",
+            Self::MaxDistance => "max_distance must be above zero",
         }
     }
 }
@@ -187,6 +231,14 @@ impl fmt::Display for Error {
                 write!(f, "a budget of {given} cell visits is below the smallest, {min}")
             }
             Self::InvalidPolygon => f.write_str("a polygon needs three or more finite vertices"),
+            Self::InvalidMasses => f.write_str("belief masses must be 0 to 1 and sum to 1"),
+            Self::EmptyScan => f.write_str("a scan has no beams"),
+            Self::UnknownFusionOperator => {
+                f.write_str("a fusion operator is pcr6, dempster_shafer, josang_average or josang_cumulative")
+            }
+            Self::UnknownSensor(index) => write!(f, "there is no sensor {index}"),
+            Self::SensorOutsideMap(index) => write!(f, "sensor {index} stands outside the map"),
+            Self::UnsupportedFusion => f.write_str("u8 mass cells take only pcr6 and josang_average"),
             Self::WindowOutside => f.write_str("a window of cells does not lie in its grid"),
             Self::NameTooLong { given } => {
                 write!(f, "a name of {given} bytes is longer than {MAX_NAME}")

@@ -9,7 +9,7 @@
 //! # Layers
 //! Each uses only what stands left of it:
 //! `error`, `math` < `storage` < `geometry` < `walk` < [`grid`] < [`raycast`] < [`distance`] <
-//! [`costmap`] < [`local`] < [`frames`] < `c_abi`
+//! [`costmap`] < [`evidence`] < [`local`] < [`frames`] < `c_abi`
 //! (the library from C; feature `c-abi`).
 //!
 //! # Frames and units
@@ -25,6 +25,7 @@ pub mod c_abi;
 pub mod costmap;
 pub mod distance;
 pub mod error;
+pub mod evidence;
 pub mod frames;
 pub mod geometry;
 pub mod grid;

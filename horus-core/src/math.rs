@@ -55,6 +55,18 @@ pub(crate) fn beam_cos_sin(angle: f64) -> (f32, f32) {
     (cos as f32, sin as f32)
 }
 
+/// (cos, sin) of an angle in radians, in f64.
+pub(crate) fn cos_sin_f64(angle: f64) -> (f64, f64) {
+    let (sin, cos) = libm::sincos(angle);
+    (cos, sin)
+}
+
+/// Angle of the point (x, y) in radians, -pi to pi.
+#[inline(never)]
+pub(crate) fn atan2(y: f32, x: f32) -> f32 {
+    libm::atan2f(y, x)
+}
+
 /// `floor(x) as i32`, saturating; NaN gives 0.
 ///
 /// Truncation with a fix-up: 12 instructions on a Cortex-M4F where `floorf` takes 28. Equal to

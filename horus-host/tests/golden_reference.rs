@@ -1,4 +1,4 @@
-//! The std version against recorded outputs of HORUS, nav2, navground and Beluga.
+//! The std version against recorded outputs of HORUS, nav2, navground and Beluga, and of an oracle of exact fractions.
 //!
 //! The vectors are JSON (for navground with `.f32` beside it). A part of them is kept in `tests/golden` at the root of
 //! the repository; where the full set lies beside the repository, the same tests run over that too. The name of each
@@ -9,6 +9,10 @@
 mod beluga;
 #[path = "golden/beluga_reference.rs"]
 mod beluga_subject;
+#[path = "golden/evidence.rs"]
+mod evidence;
+#[path = "golden/evidence_reference.rs"]
+mod evidence_subject;
 #[path = "golden/horus_cells.rs"]
 mod horus_cells;
 #[path = "golden/horus_costs.rs"]

@@ -38,4 +38,7 @@ void distances_and_rays(void);
 /* The drives of tests/src/c_local.rs: prints the same lines. */
 void local_drives(void);
 
+/* The drives of tests/src/c_evidence.rs. */
+void evidence(void);
+
 #endif

@@ -240,5 +240,6 @@ int main(void)
     drive(&far, lidar);
     distances_and_rays();
     local_drives();
+    evidence();
     return 0;
 }

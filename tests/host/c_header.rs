@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 /// What the header describes, in its order.
-const SOURCES: [&str; 21] = [
+const SOURCES: [&str; 25] = [
     "c_abi/version.rs",
     "c_abi/sizes.rs",
     "c_abi/status.rs",
@@ -29,6 +29,10 @@ const SOURCES: [&str; 21] = [
     "c_abi/local_map/writes.rs",
     "c_abi/local_map/update.rs",
     "c_abi/local_map/reads.rs",
+    "c_abi/evidence/config.rs",
+    "c_abi/evidence/mapping.rs",
+    "c_abi/evidence/tick.rs",
+    "c_abi/evidence/reads.rs",
 ];
 
 fn core() -> PathBuf {

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the lowest to the highest.
-const LAYERS: [&str; 12] = [
-    "error", "math", "storage", "geometry", "walk", "grid", "raycast", "distance", "costmap", "local",
-    "frames", "c_abi",
+const LAYERS: [&str; 13] = [
+    "error", "math", "storage", "geometry", "walk", "grid", "raycast", "distance", "costmap", "evidence",
+    "local", "frames", "c_abi",
 ];
 /// Modules that may name everything.
 const TOP: [&str; 2] = ["lib", "prelude"];

@@ -1,5 +1,6 @@
 use horus_core::costmap::{CostMapBuffers, FieldCell};
 use horus_core::distance::{DistanceCell, DistanceMapBuffers};
+use horus_core::evidence::{EvidenceF32, EvidenceU8, EvidenceU16, LocalMappingBuffers, MassCell};
 use horus_core::local::SensingBuffers;
 
 /// Memory in which one object after another is made, so that programs for 128 KiB of RAM can have
@@ -29,6 +30,26 @@ unsafe impl<const SLOTS: usize, const FLOATS: usize, const BYTES: usize> ZeroBit
     for SensingBuffers<SLOTS, FLOATS, BYTES>
 {
 }
+// SAFETY: mass cells, whose vacuous state is all bits zero, and numbers.
+unsafe impl<
+    const N: usize,
+    const CLASSES: usize,
+    const WORDS: usize,
+    const BEAMS: usize,
+    const VERTICES: usize,
+    M: MassCell,
+    D: DistanceCell,
+> ZeroBits for LocalMappingBuffers<N, CLASSES, WORDS, BEAMS, VERTICES, M, D>
+{
+}
+// SAFETY: as above.
+unsafe impl<const N: usize> ZeroBits for [EvidenceU16; N] {}
+// SAFETY: as above.
+unsafe impl<const N: usize> ZeroBits for [EvidenceU8; N] {}
+// SAFETY: as above.
+unsafe impl<const N: usize> ZeroBits for [EvidenceF32; N] {}
+// SAFETY: numbers.
+unsafe impl<const N: usize> ZeroBits for [[f64; 3]; N] {}
 // SAFETY: bytes.
 unsafe impl<const N: usize> ZeroBits for [u8; N] {}
 // SAFETY: bytes.

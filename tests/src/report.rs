@@ -21,7 +21,7 @@ pub struct Line {
     pub scenario: &'static str,
     /// Tick after which the hashes were taken.
     pub tick: u32,
-    /// What was hashed: `scan`, `cells`, `costs` or `frames`.
+    /// What was hashed: `scan`, `cells`, `costs`, `frames`, or a stage of local mapping.
     pub stage: &'static str,
     /// Its hash.
     pub hash: Hash,

@@ -10,6 +10,7 @@ use super::sizes::HORUS_ALIGN;
 use super::status::horus_status;
 use crate::costmap::{CostTables, FieldCell};
 use crate::distance::EnvelopeVertex;
+use crate::evidence::{BeamLimits, EvidenceU16};
 
 /// A type of which all bits zero is a value.
 ///
@@ -37,6 +38,10 @@ unsafe impl Zeroed for BeamSlot {}
 unsafe impl Zeroed for f32 {}
 // SAFETY: numbers, and an enum whose first value is zero.
 unsafe impl Zeroed for BufferSlot {}
+// SAFETY: as above.
+unsafe impl Zeroed for BeamLimits {}
+// SAFETY: numbers; the vacuous cell is all bits zero.
+unsafe impl Zeroed for EvidenceU16 {}
 // SAFETY: numbers and flags, arrays of them; `EMPTY` is all bits zero.
 unsafe impl<F: FieldCell> Zeroed for CostTables<F> {}
 

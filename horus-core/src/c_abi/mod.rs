@@ -30,6 +30,7 @@ mod arena;
 mod call;
 mod cost_map;
 mod distance;
+mod evidence;
 mod geometry;
 mod grid;
 mod grid_reads;
@@ -48,6 +49,7 @@ mod tests;
 
 pub use cost_map::*;
 pub use distance::*;
+pub use evidence::*;
 pub use geometry::*;
 pub use grid::*;
 pub use grid_reads::*;

@@ -2,12 +2,14 @@
 
 use super::cost_map::AnyCostMap;
 use super::distance::AnyDistanceMap;
+use super::evidence::{HORUS_LOCAL_MAPPING_INPAINTS, HORUS_LOCAL_MAPPING_SENSORS, Mapping};
 use super::grid::Grid;
 use super::local_map::{HORUS_LOCAL_MAP_LIDARS, HORUS_LOCAL_MAP_NAME, LocalMap};
 use super::object::Placed;
 use super::scan::Workspace;
 use crate::costmap::{CostMap, CostTables, FieldCell, scratch_words};
 use crate::distance::DistanceMap;
+use crate::evidence::{Inpaint, SensorConfig};
 use crate::local::BufferSlot;
 
 /// Alignment, in bytes, of the memory given to every init.
@@ -55,10 +57,18 @@ pub const HORUS_LOCAL_MAP_FIXED_BYTES: usize = 3328;
 #[cfg(target_pointer_width = "32")]
 pub const HORUS_LOCAL_MAP_FIXED_BYTES: usize = 2816;
 
+/// Bytes of a local mapping besides its cells, beams and columns.
+#[cfg(target_pointer_width = "64")]
+pub const HORUS_LOCAL_MAPPING_FIXED_BYTES: usize = 1280;
+/// Bytes of a local mapping besides its cells, beams and columns.
+#[cfg(target_pointer_width = "32")]
+pub const HORUS_LOCAL_MAPPING_FIXED_BYTES: usize = 1088;
+
 // A constant that fails here is to be raised, and the header written anew.
 const _: () = {
     assert!(size_of::<Placed<Grid>>() <= HORUS_GRID_FIXED_BYTES);
     assert!(size_of::<Placed<Workspace>>() <= HORUS_SCAN_WORKSPACE_FIXED_BYTES);
+    assert!(local_mapping() <= HORUS_LOCAL_MAPPING_FIXED_BYTES);
     assert!(cost_map::<u8>(15) <= HORUS_COST_MAP_1_FIXED_BYTES);
     assert!(cost_map::<u16>(31) <= HORUS_COST_MAP_2_FIXED_BYTES);
     assert!(distance_map() <= HORUS_DISTANCE_MAP_FIXED_BYTES);
@@ -85,3 +95,9 @@ const LOCAL_MAP: usize = {
         size_of::<&str>() * HORUS_LOCAL_MAP_LIDARS + HORUS_LOCAL_MAP_NAME * (2 + HORUS_LOCAL_MAP_LIDARS);
     object + names + size_of::<BufferSlot>() * (5 * HORUS_LOCAL_MAP_LIDARS + 6) + size_of::<f32>() * 12
 };
+/// What a local mapping takes besides its buffers.
+const fn local_mapping() -> usize {
+    let object = size_of::<Placed<Mapping>>().next_multiple_of(HORUS_ALIGN);
+    let sensors = size_of::<[SensorConfig; HORUS_LOCAL_MAPPING_SENSORS]>();
+    object + sensors + size_of::<[Inpaint; HORUS_LOCAL_MAPPING_INPAINTS]>()
+}

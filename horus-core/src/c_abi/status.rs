@@ -71,12 +71,23 @@ pub enum horus_status {
     GeometryMismatch = 30,
     /// Nothing of this name was written, or something else.
     NotFound = 31,
+    /// Belief masses must be 0 to 1 and sum to at most 1.
+    InvalidMasses = 32,
+    /// A scan has no beams.
+    EmptyScan = 33,
+    /// There is no sensor of this index.
+    UnknownSensor = 34,
+    /// The sensor stands outside the map.
+    SensorOutsideMap = 35,
+    /// A threshold, floor, thickness, width, range, rectangle or distance of a local mapping is out of
+    /// its range.
+    InvalidMappingParameter = 36,
 }
 
 use horus_status as Status;
 
 /// Every status at the place of its number.
-const ALL: [Status; 32] = [
+const ALL: [Status; 37] = [
     Status::Ok,
     Status::NullPointer,
     Status::Misaligned,
@@ -109,6 +120,11 @@ const ALL: [Status; 32] = [
     Status::InvalidLidar,
     Status::GeometryMismatch,
     Status::NotFound,
+    Status::InvalidMasses,
+    Status::EmptyScan,
+    Status::UnknownSensor,
+    Status::SensorOutsideMap,
+    Status::InvalidMappingParameter,
 ];
 
 const _: () = {
@@ -161,6 +177,11 @@ impl horus_status {
                 c"the maps differ in size, resolution or the place of their first corner"
             }
             Self::NotFound => c"nothing of this name was written, or something else",
+            Self::InvalidMasses => c"belief masses must be 0 to 1 and sum to at most 1",
+            Self::EmptyScan => c"a scan has no beams",
+            Self::UnknownSensor => c"there is no sensor of this index",
+            Self::SensorOutsideMap => c"the sensor stands outside the map",
+            Self::InvalidMappingParameter => c"a parameter of local mapping is out of its range",
         }
     }
 }
@@ -188,6 +209,16 @@ impl From<Error> for horus_status {
                 Parameter::InscribedRadius => Self::InvalidInscribedRadius,
                 Parameter::FootprintRadius => Self::InvalidFootprintRadius,
                 Parameter::StartAngle | Parameter::FieldOfView | Parameter::MaxRange => Self::InvalidLidar,
+                Parameter::IgnoranceFloor
+                | Parameter::RelativeOffset
+                | Parameter::WallThickness
+                | Parameter::MaxFreeRange
+                | Parameter::BeamHalfWidth
+                | Parameter::FreeThreshold
+                | Parameter::OccupiedThreshold
+                | Parameter::InpaintRectangle
+                | Parameter::MaxUncertain
+                | Parameter::MaxDistance => Self::InvalidMappingParameter,
             },
             Error::RadiusTooLarge { .. } => Self::RadiusTooLarge,
             Error::BudgetTooSmall { .. } => Self::BudgetTooSmall,
@@ -198,6 +229,11 @@ impl From<Error> for horus_status {
             Error::UnknownFootprint | Error::UnknownProperty | Error::PropertyType => Self::InvalidChoice,
             Error::BufferType => Self::NotFound,
             Error::GeometryMismatch => Self::GeometryMismatch,
+            Error::InvalidMasses => Self::InvalidMasses,
+            Error::EmptyScan => Self::EmptyScan,
+            Error::UnknownSensor(_) => Self::UnknownSensor,
+            Error::SensorOutsideMap(_) => Self::SensorOutsideMap,
+            Error::UnknownFusionOperator | Error::UnsupportedFusion => Self::InvalidChoice,
         }
     }
 }

@@ -118,15 +118,7 @@ impl<'a, D: DistanceCell> DistanceMap<'a, D> {
         window: CellRect,
         options: DistanceOptions,
     ) -> Result<(), Error> {
-        if grid.width().max(grid.height()) > MAX_SIDE {
-            return Err(Error::SizeOverflow);
-        }
         let region = Self::region(grid, window, options)?;
-        let (width, cells) = (region.width(), area(region));
-        require(Buffer::Distances, cells, self.buffers.cells.len())?;
-        let vertices = width as usize * if D::SIGNED { 2 } else { 1 };
-        require(Buffer::Vertices, vertices, self.buffers.vertices.len())?;
-
         let values = grid.value_traits();
         let obstacles = |gy: u32| {
             let start = gy as usize * grid.width() as usize;
@@ -135,6 +127,29 @@ impl<'a, D: DistanceCell> DistanceMap<'a, D> {
             row.iter()
                 .map(move |value| options.unknown.is_obstacle(&values, *value))
         };
+        let place = Regions {
+            size: [grid.width(), grid.height()],
+            window,
+            region,
+        };
+        self.begin_rows(place, grid.resolution(), options, obstacles)
+    }
+
+    /// Starts computing from rows of obstacles: `obstacles(gy)` tells of the cells of a row from the region's first
+    /// column on whether they are.
+    pub(crate) fn begin_rows<I: Iterator<Item = bool>>(
+        &mut self,
+        place: Regions,
+        resolution: f32,
+        options: DistanceOptions,
+        obstacles: impl Fn(u32) -> I,
+    ) -> Result<(), Error> {
+        let Regions { size, window, region } = place;
+        if size[0].max(size[1]) > MAX_SIDE {
+            return Err(Error::SizeOverflow);
+        }
+        self.check(region)?;
+        let (width, cells) = (region.width(), area(region));
         let reach = cap::<D>(options).reach();
         let mut rows = self
             .buffers
@@ -155,17 +170,24 @@ impl<'a, D: DistanceCell> DistanceMap<'a, D> {
             }
             before = row;
         }
-        for distance in 1..=reach.min(grid.height() - region.y1) {
+        for distance in 1..=reach.min(size[1].saturating_sub(region.y1)) {
             columns::beyond(before, distance, obstacles(region.y1 + distance - 1));
         }
 
-        self.resolution = grid.resolution();
+        self.resolution = resolution;
         self.options = options;
         self.window = window;
         self.region = region;
         self.rows = Rows::new(cap::<D>(options));
         self.rows_left = (2 * region.height()).saturating_sub(1);
         Ok(())
+    }
+
+    /// An error unless the buffers hold a region.
+    pub(crate) fn check(&self, region: CellRect) -> Result<(), Error> {
+        require(Buffer::Distances, area(region), self.buffers.cells.len())?;
+        let vertices = region.width() as usize * if D::SIGNED { 2 } else { 1 };
+        require(Buffer::Vertices, vertices, self.buffers.vertices.len())
     }
 
     /// Goes on computing for so many rows; returns how many are left. 0: the distances can be read.
@@ -315,6 +337,16 @@ impl<'a, D: DistanceCell> DistanceMap<'a, D> {
             metres
         }
     }
+}
+
+/// Where a computation works.
+pub(crate) struct Regions {
+    /// Columns and rows of the grid.
+    pub size: [u32; 2],
+    /// Whose distances are asked for.
+    pub window: CellRect,
+    /// The cells it works on, see [`DistanceMap::region`].
+    pub region: CellRect,
 }
 
 const NOTHING: CellRect = CellRect {

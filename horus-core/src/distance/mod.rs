@@ -26,6 +26,7 @@ pub use buffers::{DistanceBuffers, DistanceMapBuffers};
 pub use cell::DistanceCell;
 pub use envelope::EnvelopeVertex;
 pub use map::DistanceMap;
+pub(crate) use map::Regions;
 pub use options::{DistanceOptions, UnknownAs};
 
 /// Most columns and rows of a grid that distances are computed of: squares of two sides fit 31 bits.

@@ -132,7 +132,7 @@ impl GridPicture {
         let colour = |cell: &[u8]| match (rgb, masses, first) {
             (Some(((r, g), b)), ..) => Rgb([r, g, b].map(|field| number(cell, field) as u8)),
             (None, Some((free, occupied)), _) => {
-                palette::evidence(number(cell, free), number(cell, occupied))
+                palette::evidence([free, occupied].map(|field| number(cell, field).into()))
             }
             (None, None, Some(first)) => palette::distance(number(cell, first), farthest),
             (None, None, None) => palette::UNKNOWN,

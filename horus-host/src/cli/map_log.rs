@@ -4,8 +4,8 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use horus_host::lockstep::Layers;
-use horus_host::log::LogWriter;
 use horus_host::log::msg::{Header, TFMessage, Transform, TransformStamped};
+use horus_host::log::{LogError, LogWriter};
 use horus_host::tf::Pose2;
 
 use super::map_geometry::MapGeometry;
@@ -22,6 +22,9 @@ const HEADING_STEPS: f64 = (1u64 << 44) as f64;
 /// Scans between two flushes: what a crash can cost.
 const SCANS_PER_FLUSH: u32 = 64;
 
+/// What logs are written with.
+pub type Writer = LogWriter<BufWriter<File>>;
+
 /// The frames a run works in, without leading slashes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Frames {
@@ -34,7 +37,7 @@ pub struct Frames {
 /// The log of one side: scans, transforms and that side's maps.
 pub struct MapLog {
     path: PathBuf,
-    writer: LogWriter<BufWriter<File>>,
+    writer: Writer,
     map: MapGeometry,
     frames: Frames,
     /// Sensor frame and mounting pose as last written.
@@ -80,7 +83,20 @@ impl MapLog {
 
     /// Writes a scan and the transforms that connect it, and with `layers` the maps after it.
     pub fn write(&mut self, step: &ScanStep, layers: Option<&Layers>) -> anyhow::Result<()> {
-        let written = self.write_step(step, layers);
+        let (map, frame) = (self.map, self.frames.odom.clone());
+        self.write_with(step, |writer| match layers {
+            Some(layers) => write_maps(writer, &map, &frame, step.stamp_ns, layers),
+            None => Ok(()),
+        })
+    }
+
+    /// Writes a scan and the transforms that connect it, then what `maps` writes.
+    pub fn write_with(
+        &mut self,
+        step: &ScanStep,
+        maps: impl FnOnce(&mut Writer) -> Result<(), LogError>,
+    ) -> anyhow::Result<()> {
+        let written = self.write_step(step, maps);
         written.map_err(|error| in_file(&self.path, error))
     }
 
@@ -93,8 +109,8 @@ impl MapLog {
     fn write_step(
         &mut self,
         step: &ScanStep,
-        layers: Option<&Layers>,
-    ) -> Result<(), horus_host::log::LogError> {
+        maps: impl FnOnce(&mut Writer) -> Result<(), LogError>,
+    ) -> Result<(), LogError> {
         let (stamp_ns, laser) = (step.stamp_ns, &step.scan.header.frame_id);
         let mount = Some((laser.clone(), step.mount));
         if self.mount != mount && *laser != self.frames.base {
@@ -119,9 +135,7 @@ impl MapLog {
         if !step.scan.ranges.is_empty() {
             self.writer.write("/scan", stamp_ns, &step.scan)?;
         }
-        if let Some(layers) = layers {
-            self.write_maps(stamp_ns, layers)?;
-        }
+        maps(&mut self.writer)?;
         self.unflushed += 1;
         if self.unflushed >= SCANS_PER_FLUSH {
             self.unflushed = 0;
@@ -129,17 +143,23 @@ impl MapLog {
         }
         Ok(())
     }
+}
 
-    fn write_maps(&mut self, stamp_ns: u64, layers: &Layers) -> Result<(), horus_host::log::LogError> {
-        let header = Header::new(stamp_ns, &self.frames.odom);
-        let map = self.map.at(layers.offset);
-        let occupancy = map.occupancy_grid(header.clone(), layers.occupancy.clone());
-        self.writer.write("/local_map", stamp_ns, &occupancy)?;
-        let viewable = map.viewable(header.clone(), &layers.costs);
-        self.writer.write("/costmap", stamp_ns, &viewable)?;
-        let exact = map.costmap(header, layers.costs.clone());
-        self.writer.write("/costmap_raw", stamp_ns, &exact)
-    }
+fn write_maps(
+    writer: &mut Writer,
+    map: &MapGeometry,
+    frame: &str,
+    stamp_ns: u64,
+    layers: &Layers,
+) -> Result<(), LogError> {
+    let header = Header::new(stamp_ns, frame);
+    let map = map.at(layers.offset);
+    let occupancy = map.occupancy_grid(header.clone(), layers.occupancy.clone());
+    writer.write("/local_map", stamp_ns, &occupancy)?;
+    let viewable = map.viewable(header.clone(), &layers.costs);
+    writer.write("/costmap", stamp_ns, &viewable)?;
+    let exact = map.costmap(header, layers.costs.clone());
+    writer.write("/costmap_raw", stamp_ns, &exact)
 }
 
 fn transform(stamp_ns: u64, parent: &str, child: &str, pose: Pose2) -> TransformStamped {

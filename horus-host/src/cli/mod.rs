@@ -9,6 +9,7 @@ mod compare;
 mod cost_options;
 mod demo;
 mod difference;
+mod evidence;
 mod grid_picture;
 mod info;
 mod map;
@@ -109,6 +110,7 @@ Examples:
   horus-host replay drive.mcap --out out --width 400 --height 400 --radius 1.0
   horus-host replay drive.mcap --preset nav2 --scan /front/scan --odom-frame map
   horus-host replay drive.mcap --map local --config map.yaml --out out
+  horus-host replay drive.mcap --map evidence --fusion pcr6 --out out
   horus-host compare out/core.mcap out/std.mcap
   horus-host record /dev/ttyACM0 --baud 921600 --out target.mcap
   horus-host compare a.mcap b.mcap --tolerance /distance=0.01 --diff diff.mcap --picture first.png

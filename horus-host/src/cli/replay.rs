@@ -1,9 +1,10 @@
 use std::path::PathBuf;
 
-use anyhow::{Context, bail};
+use anyhow::{Context, anyhow, bail};
 use clap::Args;
 use horus_host::log::{LogReader, ReadEnd};
 
+use super::evidence::EvidenceSession;
 use super::map_kind::MapKindOptions;
 use super::map_log::Frames;
 use super::map_options::MapOptions;
@@ -11,6 +12,7 @@ use super::out_dir::OutDir;
 use super::progress;
 use super::recording::Recording;
 use super::session::{LOG_NAMES, Session, conclude};
+use super::skipped::Skipped;
 use super::survey::{Survey, in_file};
 use super::verdict::Verdict;
 
@@ -56,6 +58,7 @@ pub fn run(options: &ReplayOptions) -> anyhow::Result<Verdict> {
     let mut config = options.map.config();
     options.kind.apply(&mut config)?;
     config.validate()?;
+    let evidence = options.kind.evidence(&config);
     let longest_gap_ns = match options.max_gap {
         None => None,
         Some(seconds) if seconds >= 0.0 => Some((seconds * 1e9) as u64), // saturates
@@ -80,35 +83,56 @@ pub fn run(options: &ReplayOptions) -> anyhow::Result<Verdict> {
         base: without_slash(&options.base_frame),
     };
     let steps = Recording::open(log, &topic.name, &survey.tf, &frames, options.every)?;
-    let session = Session {
-        config,
-        frames: &frames,
-        beams: topic.beams,
-        out: out.as_ref(),
-        log_every: options.log_every,
-        limit: options.limit.unwrap_or(u64::MAX),
-    };
+    let (beams, limit) = (topic.beams, options.limit.unwrap_or(u64::MAX));
     let scans = topic.scans.div_ceil(options.every);
-    let bar = progress::bar(scans.min(session.limit));
-    let mut summary = session.run(format!("{name} {}", topic.name), steps, &bar)?;
-    if summary.scans == 0 {
-        let rejected = survey.first_rejection.map_or_else(String::new, |first| {
+    let bar = progress::bar(scans.min(limit));
+    let source = format!("{name} {}", topic.name);
+    let none_used = |skipped_scans: u64, skipped: &Skipped| {
+        let rejected = survey.first_rejection.as_ref().map_or_else(String::new, |first| {
             format!(
                 "; {} transforms were rejected ({first})",
                 survey.rejected_transforms
             )
         });
-        bail!(
-            "{name}: none of the {} scans on {} can be used: {}{rejected}",
-            summary.skipped_scans,
-            topic.name,
-            summary.skipped
-        );
-    }
-    summary.rejected_transforms = survey.rejected_transforms;
-    summary.truncated_at_byte = match survey.end {
+        anyhow!(
+            "{name}: none of the {skipped_scans} scans on {} can be used: {skipped}{rejected}",
+            topic.name
+        )
+    };
+    let truncated_at_byte = match survey.end {
         ReadEnd::Complete => None,
         ReadEnd::Truncated { offset } => Some(offset),
     };
+    if let Some(config) = evidence {
+        let session = EvidenceSession {
+            config,
+            frames: &frames,
+            beams,
+            out: out.as_ref(),
+            log_every: options.log_every,
+            limit,
+        };
+        let mut summary = session.run(source, steps, &bar)?;
+        if summary.scans == 0 {
+            return Err(none_used(summary.skipped_scans, &summary.skipped));
+        }
+        summary.rejected_transforms = survey.rejected_transforms;
+        summary.truncated_at_byte = truncated_at_byte;
+        return conclude(summary, out.as_ref(), options.json);
+    }
+    let session = Session {
+        config,
+        frames: &frames,
+        beams,
+        out: out.as_ref(),
+        log_every: options.log_every,
+        limit,
+    };
+    let mut summary = session.run(source, steps, &bar)?;
+    if summary.scans == 0 {
+        return Err(none_used(summary.skipped_scans, &summary.skipped));
+    }
+    summary.rejected_transforms = survey.rejected_transforms;
+    summary.truncated_at_byte = truncated_at_byte;
     conclude(summary, out.as_ref(), options.json)
 }

@@ -1,3 +1,4 @@
+use std::fmt::Display;
 use std::path::PathBuf;
 
 use horus_core::prelude as core;
@@ -5,6 +6,7 @@ use horus_host::lockstep::{CoreStorage, Layers, Lockstep, LockstepConfig};
 use horus_host::picture::{Cells, Picture, Rgb, palette};
 use horus_host::tf::Pose2;
 use indicatif::ProgressBar;
+use serde::Serialize;
 
 use super::map_geometry::MapGeometry;
 use super::map_log::{Frames, MapLog};
@@ -19,7 +21,7 @@ use super::verdict::Verdict;
 pub const LOG_NAMES: [&str; 2] = ["core.mcap", "std.mcap"];
 
 /// Pictures are enlarged up to this many pixels on their longer side.
-const PICTURE_SIZE: u32 = 800;
+pub const PICTURE_SIZE: u32 = 800;
 /// Colour and radius (in metres) of the robot in pictures.
 const ROBOT: (Rgb, f64) = (Rgb([0, 0xa0, 0x40]), 0.15);
 
@@ -155,15 +157,31 @@ impl Session<'_> {
     }
 }
 
+/// A result that `summary.json` and the screen tell.
+pub trait Told: Serialize + Display {
+    fn mismatches(&self) -> u64;
+    fn files(&mut self) -> &mut Vec<PathBuf>;
+}
+
+impl Told for Summary {
+    fn mismatches(&self) -> u64 {
+        self.mismatches
+    }
+
+    fn files(&mut self) -> &mut Vec<PathBuf> {
+        &mut self.files
+    }
+}
+
 /// Writes `summary.json` where there is an output directory, and prints the result.
-pub fn conclude(mut summary: Summary, out: Option<&OutDir>, json: bool) -> anyhow::Result<Verdict> {
+pub fn conclude(mut summary: impl Told, out: Option<&OutDir>, json: bool) -> anyhow::Result<Verdict> {
     if let Some(out) = out {
         let name = "summary.json";
-        summary.files.push(out.file(name));
+        summary.files().push(out.file(name));
         out.replace_text(name, &format!("{}\n", report::to_json(&summary)?))?;
     }
     report::print(&summary, &summary, json)?;
-    Ok(if summary.mismatches == 0 {
+    Ok(if summary.mismatches() == 0 {
         Verdict::Equal
     } else {
         Verdict::Different
@@ -171,11 +189,11 @@ pub fn conclude(mut summary: Summary, out: Option<&OutDir>, json: bool) -> anyho
 }
 
 /// The one rounding of a pose: both sides get this one.
-fn rounded(pose: Pose2) -> core::Pose2D {
+pub fn rounded(pose: Pose2) -> core::Pose2D {
     core::Pose2D::new(pose.x as f32, pose.y as f32, pose.yaw as f32)
 }
 
-fn core_scan(step: &ScanStep) -> core::LaserScan<'_> {
+pub fn core_scan(step: &ScanStep) -> core::LaserScan<'_> {
     core::LaserScan {
         angle_min: step.scan.angle_min,
         angle_increment: step.scan.angle_increment,

@@ -34,6 +34,7 @@ mod config;
 mod core_side;
 mod engine;
 mod error;
+pub mod evidence;
 mod field;
 mod fixed_map;
 mod layers;

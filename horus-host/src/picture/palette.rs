@@ -76,18 +76,6 @@ pub fn distance(metres: f32, farthest: f32) -> Rgb {
     }
 }
 
-/// Evidence: the more a cell is free, the greener, the more occupied, the redder; unknown is
-/// [`UNKNOWN`].
-pub fn evidence(free: f32, occupied: f32) -> Rgb {
-    let unknown = (1.0 - free - occupied).clamp(0.0, 1.0);
-    let mix = |own: f32, grey: u8| (255.0 * own.clamp(0.0, 1.0) + f32::from(grey) * unknown).min(255.0) as u8;
-    Rgb([
-        mix(occupied, UNKNOWN.0[0]),
-        mix(free, UNKNOWN.0[1]),
-        mix(0.0, UNKNOWN.0[2]),
-    ])
-}
-
 /// A difference of two grids: [`EQUAL`] grey, red where the first is greater, blue where it is
 /// less.
 pub fn difference(first_to_second: Ordering) -> Rgb {
@@ -96,4 +84,16 @@ pub fn difference(first_to_second: Ordering) -> Rgb {
         Ordering::Greater => Rgb([0xd0, 0x10, 0x10]),
         Ordering::Less => Rgb([0x10, 0x30, 0xd0]),
     }
+}
+
+/// Masses (free, occupied) as Isaac's viewer shows them: free white, occupied black, uncertain green, mixed by their
+/// masses.
+pub fn evidence([free, occupied]: [f64; 2]) -> Rgb {
+    let byte = |share: f64| (share.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+    Rgb([byte(free), byte(1.0 - occupied), byte(free)])
+}
+
+/// A cell of a binary map: occupied black, free white.
+pub fn binary(occupied: bool) -> Rgb {
+    Rgb([if occupied { 0 } else { 255 }; 3])
 }

@@ -19,6 +19,28 @@ pub(super) struct GridFrame {
 }
 
 impl GridFrame {
+    /// A grid whose first corner lies at `origin` (x, y in metres, heading in radians).
+    pub(super) fn new(origin: [f32; 3], resolution: f32, offset: [i32; 2]) -> Self {
+        let [x, y, theta] = origin;
+        Self {
+            origin: [x, y],
+            cos: libm::cosf(theta),
+            sin: libm::sinf(theta),
+            resolution,
+            offset,
+        }
+    }
+
+    /// The centre of a cell of the window in the world.
+    pub(super) fn center(&self, gx: u32, gy: u32) -> [f32; 2] {
+        let local = |g: u32, axis: usize| (self.offset[axis] as f32 + g as f32 + 0.5) * self.resolution;
+        let (x, y) = (local(gx, 0), local(gy, 1));
+        [
+            self.origin[0] + (self.cos * x - self.sin * y),
+            self.origin[1] + (self.sin * x + self.cos * y),
+        ]
+    }
+
     /// World metres to metres along the axes of the grid as it was constructed.
     pub(super) fn local(&self, p: [f32; 2]) -> [f32; 2] {
         let (dx, dy) = (p[0] - self.origin[0], p[1] - self.origin[1]);
@@ -82,13 +104,7 @@ impl GridFrame {
 
 impl OccupancyGrid {
     pub(super) fn frame(&self) -> GridFrame {
-        let theta = self.origin0.theta as f32;
-        GridFrame {
-            origin: [self.origin0.x as f32, self.origin0.y as f32],
-            cos: libm::cosf(theta),
-            sin: libm::sinf(theta),
-            resolution: self.resolution,
-            offset: self.offset,
-        }
+        let origin = [self.origin0.x, self.origin0.y, self.origin0.theta].map(|v| v as f32);
+        GridFrame::new(origin, self.resolution, self.offset)
     }
 }

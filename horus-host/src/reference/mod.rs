@@ -53,6 +53,7 @@ mod cost_params;
 mod decay;
 mod distance;
 mod error;
+pub mod evidence;
 mod footprint;
 mod frame;
 mod grid;

@@ -4,6 +4,7 @@ mod bad_input;
 mod bridge;
 mod compare;
 mod demo;
+mod evidence;
 mod local;
 mod map;
 mod record;

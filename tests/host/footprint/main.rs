@@ -21,7 +21,7 @@ struct Bound {
 }
 
 /// What the images may take: what they took, and a little room.
-const BOUNDS: [Bound; 8] = [
+const BOUNDS: [Bound; 9] = [
     bound("grid", 4, 5),
     bound("scan", 6, 8),
     bound("scan_accumulate", 7, 10),
@@ -30,6 +30,7 @@ const BOUNDS: [Bound; 8] = [
     bound("all", 23, 39),
     bound("distance", 8, 12),
     bound("local_map", 28, 44),
+    bound("evidence", 24, 32),
 ];
 /// What `cost_map` should take.
 const TARGET: u64 = 16 * KIB;

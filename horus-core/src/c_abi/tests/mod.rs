@@ -7,6 +7,7 @@ extern crate std;
 
 mod cost_map;
 mod distance;
+mod evidence;
 mod grid;
 mod memory;
 mod refusals;

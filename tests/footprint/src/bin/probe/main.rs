@@ -8,6 +8,7 @@
 
 mod cost_map;
 mod distance;
+mod evidence;
 mod frames;
 #[cfg(feature = "c-abi")]
 mod from_c;
@@ -58,6 +59,7 @@ fn run() {
     cost_map::tables();
     let map = in_bss!([u8; CELLS], [0; CELLS]);
     local::call(opaque(map), ranges);
+    evidence::call(opaque(ranges));
     #[cfg(feature = "c-abi")]
     from_c::call();
     #[cfg(feature = "defmt")]
