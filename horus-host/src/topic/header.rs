@@ -28,6 +28,15 @@ pub struct GridHeader {
     pub metadata: [u8; 64],
 }
 
+/// What precedes the cells of a local grid map: a [`GridHeader`] under another name, by which topics tell
+/// its bytes from costs.
+#[derive(Debug, Clone, Copy, Default, PartialEq, ZeroCopySend)]
+#[repr(C)]
+pub struct LocalGridHeader {
+    /// Size and place.
+    pub grid: GridHeader,
+}
+
 /// What precedes the ranges of a laser scan.
 #[derive(Debug, Clone, Copy, Default, PartialEq, ZeroCopySend)]
 #[repr(C)]
@@ -100,6 +109,8 @@ impl Default for GridHeader {
 // SAFETY: numbers and bytes, in an order without padding (`headers_have_no_padding`).
 unsafe impl Plain for GridHeader {}
 // SAFETY: as above.
+unsafe impl Plain for LocalGridHeader {}
+// SAFETY: as above.
 unsafe impl Plain for ScanHeader {}
 // SAFETY: as above.
 unsafe impl Plain for TransformHeader {}
@@ -109,6 +120,12 @@ unsafe impl Plain for TransformEntry {}
 impl Counted for GridHeader {
     fn count(&self) -> usize {
         usize::try_from(u64::from(self.width) * u64::from(self.height)).unwrap_or(usize::MAX)
+    }
+}
+
+impl Counted for LocalGridHeader {
+    fn count(&self) -> usize {
+        self.grid.count()
     }
 }
 
@@ -193,6 +210,7 @@ mod tests {
     #[test]
     fn headers_have_no_padding() {
         assert_eq!(size_of::<GridHeader>(), 8 + 24 + 4 * 4 + 32 + 64);
+        assert_eq!(size_of::<LocalGridHeader>(), size_of::<GridHeader>());
         assert_eq!(size_of::<ScanHeader>(), 8 + 6 * 4 + 4 + 4 + 32);
         assert_eq!(size_of::<TransformHeader>(), 8 + 4 + 4);
         assert_eq!(size_of::<TransformEntry>(), 8 + 2 * 32 + 7 * 8);

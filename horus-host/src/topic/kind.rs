@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use iceoryx2::prelude::ZeroCopySend;
 
-use super::{GridHeader, ScanHeader, TransformEntry, TransformHeader};
+use super::{GridHeader, LocalGridHeader, ScanHeader, TransformEntry, TransformHeader};
 
 /// Numbers of a fixed layout, for which all bits zero are a value.
 ///
@@ -57,7 +57,7 @@ kinds! {
     /// Costs: 0 free to 253 or 254 lethal, 255 unknown.
     Costs: GridHeader, [u8], "cost_map";
     /// A navground local grid map: 0 occupied, 128 unknown, 255 free.
-    Local: GridHeader, [u8], "local_grid_map";
+    Local: LocalGridHeader, [u8], "local_grid_map";
     /// Evidence: the masses of free and occupied; what is missing to 1 is unknown.
     Evidence: GridHeader, [[f32; 2]], "evidence_grid";
     /// Metres to the nearest obstacle.

@@ -55,7 +55,9 @@ mod slice;
 pub use domain::Domain;
 pub use error::TopicError;
 pub use fixed::{Fixed, Payload, PoseMsg};
-pub use header::{GridHeader, ScanHeader, TransformEntry, TransformHeader, frame_bytes, frame_name};
+pub use header::{
+    GridHeader, LocalGridHeader, ScanHeader, TransformEntry, TransformHeader, frame_bytes, frame_name,
+};
 pub use options::TopicOptions;
 pub use sized::{Loan, Received, Topic};
 pub use slice::{SliceLoan, SliceReceived, SliceTopic};

@@ -2,8 +2,11 @@
 
 use std::fs;
 use std::process::{Child, Command, Output, Stdio};
+use std::time::Duration;
 
-use horus_host::topic::Domain;
+use horus_host::log::msg::OccupancyGrid;
+use horus_host::log::{LogEntry, LogReader};
+use horus_host::topic::{Domain, GridHeader, LocalGridHeader, SliceTopic, TopicOptions, frame_bytes, kind};
 
 use crate::support::{TestLog, code, refused, run, scan_at, scratch, stderr};
 
@@ -118,4 +121,36 @@ fn limits_topics_and_silence_end_a_recording() {
         &["cannot create the log"],
     );
     assert_eq!(code(&run(&["sub"])), 2);
+}
+
+#[test]
+fn a_local_map_is_recorded_as_occupancy() {
+    let dir = scratch("bridge_local");
+    let live = dir.join("live.mcap");
+    let domain = TestDomain::new("local_map");
+    let header = LocalGridHeader {
+        grid: GridHeader {
+            timestamp_ns: 7,
+            resolution: 0.1,
+            width: 4,
+            height: 1,
+            frame_id: frame_bytes("odom"),
+            ..GridHeader::default()
+        },
+    };
+    let maps = SliceTopic::<kind::Local>::open(&domain.0, "local_grid_map", TopicOptions::default()).unwrap();
+    let out = live.to_str().unwrap();
+    let sub = start(&["sub", "--out", out, "--limit", "1", "--domain", &domain.1]);
+    maps.wait_for_subscribers(1, Duration::from_secs(30)).unwrap();
+    maps.send(header, &[0, 128, 255, 77]).unwrap();
+    finished(sub);
+    let mut log = LogReader::open(&live).unwrap().map(Result::unwrap);
+    let map: OccupancyGrid = log
+        .find_map(|entry| match entry {
+            LogEntry::Message(message) => Some(message.decode().unwrap()),
+            _ => None,
+        })
+        .unwrap();
+    assert_eq!(map.data, [100, -1, 0, -1]);
+    assert_eq!((map.info.width, &map.header.frame_id[..]), (4, "odom"));
 }

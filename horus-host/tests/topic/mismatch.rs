@@ -57,3 +57,12 @@ fn domains_do_not_meet() {
     assert!(other.recv().unwrap().is_none());
     assert_eq!(topic.send(PoseMsg::default()).unwrap(), 0);
 }
+
+#[test]
+fn a_local_map_is_not_taken_for_costs() {
+    let domain = TestDomain::new("local");
+    let maps = SliceTopic::<kind::Local>::open(&domain.0, "bytes", options(false)).unwrap();
+    let costs = SliceTopic::<kind::Costs>::open(&domain.0, "bytes", options(false)).err();
+    assert!(matches!(costs, Some(TopicError::Type { .. })), "{costs:?}");
+    drop(maps);
+}

@@ -1,5 +1,6 @@
 //! Messages of logs as messages of topics, and back.
 
+use horus_core::local::{FREE, OCCUPIED};
 use horus_host::log::msg::{
     Costmap, CostmapMetaData, Header, LaserScan, MapMetaData, OccupancyGrid, Pose, Quaternion, TFMessage,
     Time, Transform, TransformStamped, Vector3,
@@ -46,6 +47,16 @@ pub fn map(header: &GridHeader, cells: &[i8]) -> OccupancyGrid {
         },
         data: cells.to_vec(),
     }
+}
+
+/// A navground local map as an occupancy grid, which is how logs hold it.
+pub fn local_map(header: &GridHeader, cells: &[u8]) -> OccupancyGrid {
+    let occupancy = |value: &u8| match *value {
+        OCCUPIED => 100,
+        FREE => 0,
+        _ => -1,
+    };
+    map(header, &cells.iter().map(occupancy).collect::<Vec<_>>())
 }
 
 pub fn costs_header(map: &Costmap) -> GridHeader {

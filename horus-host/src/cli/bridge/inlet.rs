@@ -14,6 +14,7 @@ type Log = LogWriter<BufWriter<File>>;
 pub enum Inlet {
     Map(SliceTopic<kind::Occupancy>),
     Costs(SliceTopic<kind::Costs>),
+    Local(SliceTopic<kind::Local>),
     Scan(SliceTopic<kind::Scan>),
     Transforms(SliceTopic<kind::Transforms>),
     Distance(SliceTopic<kind::Distance>),
@@ -36,6 +37,7 @@ impl Inlet {
         for options in [options(), TopicOptions::default(), TopicOptions::reliable()] {
             let found = open_as(domain, name, options, Self::Map)
                 .or_else(|error| other(error, || open_as(domain, name, options, Self::Costs)))
+                .or_else(|error| other(error, || open_as(domain, name, options, Self::Local)))
                 .or_else(|error| other(error, || open_as(domain, name, options, Self::Scan)))
                 .or_else(|error| other(error, || open_as(domain, name, options, Self::Transforms)))
                 .or_else(|error| other(error, || open_as(domain, name, options, Self::Distance)))
@@ -57,6 +59,10 @@ impl Inlet {
             }),
             Self::Costs(inlet) => take(inlet, |header, cells| {
                 log.write(topic, header.timestamp_ns, &convert::costs(header, cells))
+            }),
+            Self::Local(inlet) => take(inlet, |header, cells| {
+                let map = convert::local_map(&header.grid, cells);
+                log.write(topic, header.grid.timestamp_ns, &map)
             }),
             Self::Scan(inlet) => take(inlet, |header, ranges| {
                 log.write(topic, header.timestamp_ns, &convert::scan(header, ranges))
@@ -88,6 +94,7 @@ impl Inlet {
         match self {
             Self::Map(inlet) => has_publishers(inlet),
             Self::Costs(inlet) => has_publishers(inlet),
+            Self::Local(inlet) => has_publishers(inlet),
             Self::Scan(inlet) => has_publishers(inlet),
             Self::Transforms(inlet) => has_publishers(inlet),
             Self::Distance(inlet) => has_publishers(inlet),
