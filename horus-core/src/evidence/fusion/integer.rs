@@ -37,12 +37,13 @@ impl Pair {
     #[inline(always)]
     fn agreement<M: IntegerCell>(&self) -> [u32; 2] {
         let ([f1, o1, u1], [f2, o2, _]) = (self.one, self.two);
-        // f2 + u2 = Q - o2
-        let of = |b1: u32, b2: u32, against: u32| {
-            b1.wrapping_mul(M::Q.wrapping_sub(against))
-                .wrapping_add(u1.wrapping_mul(b2))
+        let [first, second] = self.conflicts();
+        // b1 b2 + b1 u2 = b1 (Q - what the second says against it): a shift, and the conflict's product.
+        let of = |b1: u32, b2: u32, conflict: u32| {
+            let not_against = b1.wrapping_mul(M::Q).wrapping_sub(conflict);
+            not_against.wrapping_add(u1.wrapping_mul(b2))
         };
-        [of(f1, f2, o2), of(o1, o2, f2)]
+        [of(f1, f2, first), of(o1, o2, second)]
     }
 
     /// f1 o2 and f2 o1.
@@ -127,13 +128,16 @@ fn pcr6<M: IntegerCell>(state: &mut [M], sensor: &[M]) -> Tally {
 /// Each step of the arithmetic for all cells, so that it is one of vectors.
 #[inline(always)]
 fn pcr6_side_by_side<M: IntegerCell>(state: &mut [M; LANES], sensor: &[M; LANES], tally: &mut Tally) {
-    let (f1, o1) = (state.map(|c| c.parts().0), state.map(|c| c.parts().1));
-    let (f2, o2) = (sensor.map(|c| c.parts().0), sensor.map(|c| c.parts().1));
-    let (first, second) = (share::in_floats(&f1, &o2), share::in_floats(&f2, &o1));
+    // A cell as one number is loaded as one, and taken apart by vectors.
+    let whole = |cell: M| cell.parts().0 | cell.parts().1 << M::BITS;
+    let (one, two) = (state.map(whole), sensor.map(whole));
+    let (f1, o1) = (one.map(|cell| cell & M::Q), one.map(|cell| cell >> M::BITS));
+    let (f2, o2) = (two.map(|cell| cell & M::Q), two.map(|cell| cell >> M::BITS));
+    let shares = shares_side_by_side([&f1, &o1], [&f2, &o2]);
     let (mut conflicts, mut low, mut high) = (0u32, 0u32, 0u32);
     for i in 0..LANES {
         let pair = Pair::new(M::of(f1[i], o1[i]), M::of(f2[i], o2[i]));
-        let ([f, o], conflict) = redistributed::<M>(&pair, first[i].wrapping_add(second[i]));
+        let ([f, o], conflict) = redistributed::<M>(&pair, shares[i]);
         state[i] = M::of(f, o);
         conflicts = conflicts.wrapping_add(u32::from(conflict != 0));
         low = low.wrapping_add(conflict & 0xffff);
@@ -142,6 +146,28 @@ fn pcr6_side_by_side<M: IntegerCell>(state: &mut [M; LANES], sensor: &[M; LANES]
     tally.conflicts = tally.conflicts.wrapping_add(conflicts);
     let mass = u64::from(low).wrapping_add(u64::from(high) << 16);
     tally.mass = tally.mass.wrapping_add(mass);
+}
+
+/// What of each conflict goes to free. A sensor's cell mostly says one thing only, and then one of its two
+/// conflicts is 0: where that holds for all cells, one division each is enough.
+#[inline(always)]
+fn shares_side_by_side([f1, o1]: [&[u32; LANES]; 2], [f2, o2]: [&[u32; LANES]; 2]) -> [u32; LANES] {
+    let (mut both, mut p, mut q) = ([0; LANES], [0; LANES], [0; LANES]);
+    for i in 0..LANES {
+        let mask = u32::from(o2[i] == 0).wrapping_sub(1);
+        both[i] = f2[i] & mask;
+        p[i] = f2[i] ^ ((f1[i] ^ f2[i]) & mask);
+        q[i] = o2[i] | (o1[i] & !mask);
+    }
+    let mut shares = share::in_floats(&p, &q);
+    if both.iter().fold(0, |any, f| any | f) != 0 {
+        // The conflicts left out, of cells that say both.
+        let others = share::in_floats(&both, o1);
+        for (share, other) in shares.iter_mut().zip(others) {
+            *share = share.wrapping_add(other);
+        }
+    }
+    shares
 }
 
 /// Free and occupied of two cells fused, given what of their conflict goes to free, and the conflict.
