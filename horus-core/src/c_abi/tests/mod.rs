@@ -9,6 +9,7 @@ mod cost_map;
 mod distance;
 mod evidence;
 mod grid;
+mod local_map;
 mod memory;
 mod refusals;
 

@@ -1,5 +1,10 @@
 use horus_core::distance::{DistanceBuffers, DistanceCell, DistanceMap, EnvelopeVertex};
-use horus_core::evidence::{self, *};
+use horus_core::evidence::{
+    self, BeamLimits, BinaryMap, BinaryThresholds, EvidenceF32, EvidenceFusion, EvidenceU8, EvidenceU16,
+    Flatscan, FusionOperator, FusionRule, Inpaint, InpaintFrame, Lattice, LocalMapping, LocalMappingBuffers,
+    LocalMappingConfig, MappingBuffers, MassCell, Masses, SensorConfig, SensorGrid, SensorModel, SensorScan,
+    class_bytes,
+};
 use horus_core::prelude::*;
 use horus_footprint::{need, opaque};
 
