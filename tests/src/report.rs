@@ -9,6 +9,7 @@ use horus_core::prelude::*;
 
 use crate::drive::{self, Scenario};
 use crate::hash::Hash;
+use crate::rt::hprintln;
 use crate::streaming;
 
 /// Ticks between two reports.
@@ -77,4 +78,23 @@ pub fn run<F: FieldCell>(
         line("costs", costs);
         line("frames", frames.get());
     })
+}
+
+/// Prints a line of a digest.
+pub fn print(line: Line) {
+    hprintln!(
+        "{} | tick {} | {} | {:08x}",
+        line.scenario,
+        line.tick,
+        line.stage,
+        line.hash.0
+    );
+}
+
+/// How a digest ended: `false`, and a last line that says why, after an error.
+pub fn ended(result: Result<(), Error>) -> bool {
+    if let Err(error) = result {
+        hprintln!("digest: {}", error);
+    }
+    result.is_ok()
 }

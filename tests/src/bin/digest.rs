@@ -5,30 +5,13 @@ use horus_core::costmap::{CostBuffers, FieldCell};
 use horus_core::local::BufferSlot;
 use horus_core::prelude::{ScanBuffers, SensingState};
 use horus_tests::drive::{self, FarBuffers, LidarBuffers, NearBuffers};
-use horus_tests::report::{self, Line};
-use horus_tests::rt::hprintln;
+use horus_tests::report::{self, print};
 use horus_tests::{Once, c_distance, c_drive, c_local};
 
 horus_tests::start!(run);
 
-fn print(line: Line) {
-    hprintln!(
-        "{} | tick {} | {} | {:08x}",
-        line.scenario,
-        line.tick,
-        line.stage,
-        line.hash.0
-    );
-}
-
 fn run() -> bool {
-    match all() {
-        Ok(()) => true,
-        Err(error) => {
-            hprintln!("digest: {}", error);
-            false
-        }
-    }
+    report::ended(all())
 }
 
 fn all() -> Result<(), horus_core::Error> {

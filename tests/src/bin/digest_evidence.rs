@@ -3,30 +3,13 @@
 
 use horus_core::evidence::{EvidenceF32, EvidenceU8, EvidenceU16, FusionOperator, FusionRule};
 use horus_tests::evidence::{self, Buffers};
-use horus_tests::report::Line;
-use horus_tests::rt::hprintln;
+use horus_tests::report::{self, print};
 use horus_tests::{Arena, Once, c_evidence};
 
 horus_tests::start!(run);
 
-fn print(line: Line) {
-    hprintln!(
-        "{} | tick {} | {} | {:08x}",
-        line.scenario,
-        line.tick,
-        line.stage,
-        line.hash.0
-    );
-}
-
 fn run() -> bool {
-    match all() {
-        Ok(()) => true,
-        Err(error) => {
-            hprintln!("digest: {}", error);
-            false
-        }
-    }
+    report::ended(all())
 }
 
 fn all() -> Result<(), horus_core::Error> {
