@@ -9,6 +9,7 @@ use horus_host::picture::Picture;
 
 use super::grid_picture::{GridPicture, is_grid};
 use super::survey::in_file;
+use super::value_grid::{self, DISTANCE, EVIDENCE};
 
 /// Pictures are enlarged up to this many pixels on the longer side of each.
 const SIZE: u32 = 800;
@@ -144,7 +145,29 @@ fn write_pair(writer: &mut LogWriter<BufWriter<File>>, pair: DifferingPair) -> R
         map.info.origin = a_map.metadata.origin;
         return write_cells(writer, &topic, a.log_time_ns, map);
     }
+    if let (Ok(a_grid), Ok(b_grid)) = (a.decode::<Grid>(), b.decode::<Grid>()) {
+        let difference =
+            subtracted(&a_grid, &b_grid, DISTANCE).or_else(|| subtracted(&a_grid, &b_grid, EVIDENCE));
+        if let Some(difference) = difference {
+            return writer.write(&topic, a.log_time_ns, &difference);
+        }
+    }
     Ok(())
+}
+
+/// The named values of a grid less those of another, 0 where they are equal, infinite ones too; `None`
+/// unless both have them, for as many cells.
+fn subtracted<const N: usize>(a: &Grid, b: &Grid, names: [&str; N]) -> Option<Grid> {
+    let ((header, a), (other, b)) = (value_grid::values(a, names)?, value_grid::values(b, names)?);
+    if (header.width, header.height) != (other.width, other.height) {
+        return None;
+    }
+    let less = |a: f32, b: f32| if a == b { 0.0 } else { a - b };
+    let cells = a
+        .iter()
+        .zip(&b)
+        .map(|(a, b)| std::array::from_fn(|i| less(a[i], b[i])));
+    Some(value_grid::grid(&header, names, cells))
 }
 
 /// 0 where two cells are equal, 100 where they differ; none where the sizes differ.

@@ -74,6 +74,19 @@ fn evidence_is_replayed_compared_and_logged() {
                     .all(|cell| (0.0..=2.0 + 1e-3).contains(&float(cell)))
             );
         }
+        let [core, std, diff] = ["core.mcap", "std.mcap", "diff.mcap"].map(|name| format!("{out}/{name}"));
+        let compared = support::run(&["compare", &core, &std, "--diff", &diff]);
+        assert_eq!(
+            support::code(&compared),
+            1,
+            "masses of f64 are not those of 16 bits"
+        );
+        let differences = grids(Path::new(&diff), "/difference/evidence");
+        assert!(!differences.is_empty());
+        for cell in differences.iter().flat_map(|grid| grid.data.chunks(8)) {
+            let [free, occupied] = [float(cell), float(&cell[4..])];
+            assert!(free.abs() < 1e-3 && occupied.abs() < 1e-3, "{free} {occupied}");
+        }
         for picture in ["evidence.png", "binary.png", "distance.png"] {
             assert!(Path::new(out).join(picture).is_file(), "{picture}");
         }
