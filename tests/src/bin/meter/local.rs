@@ -1,11 +1,13 @@
-//! The local map: updates of a driving robot, and the cost map that follows.
+//! The local map: updates of a driving robot, and a cost map that follows.
 
 use horus_core::Error;
+use horus_core::costmap::bit_words;
 use horus_core::prelude::*;
 use horus_tests::meter::Stat;
 use horus_tests::workload::{BEAMS, RESOLUTION, robot};
 
 use crate::bench::Bench;
+use crate::case;
 
 const SIDE: u32 = 200;
 pub const SETTING: &str = "200x200 local";
@@ -93,5 +95,66 @@ pub fn run((cells, buffers): (&mut [u8; 200 * 200], &mut State), bench: &mut Ben
     let (done, cost) = meter.measure(|| map.update(&state, pose, &mut workspaces));
     assert_eq!(done?.shift, [0, 0]);
     table.row(SETTING, "update, standing", cost);
+    Ok(())
+}
+
+/// Cells per side of a local map that a cost map follows: both fit.
+const FOLLOWED_SIDE: u32 = 120;
+const FOLLOWED: &str = "120x120 local, R 11";
+const FOLLOWED_CELLS: usize = (FOLLOWED_SIDE * FOLLOWED_SIDE) as usize;
+
+/// A local map and the cost map that follows it.
+pub type Following = (
+    ([u8; FOLLOWED_CELLS], State),
+    CostMapBuffers<FOLLOWED_CELLS, { bit_words(FOLLOWED_SIDE, FOLLOWED_SIDE) }>,
+);
+
+pub fn run_followed(memory: &mut Following, bench: &mut Bench<'_>) -> Result<(), Error> {
+    let Bench {
+        meter,
+        table,
+        beams,
+        lidar: sensor,
+        office,
+        ..
+    } = bench;
+    let ((cells, state), costs) = memory;
+    let scan = sensor.measure(office, 0);
+    let lidars = [Lidar {
+        name: "lidar",
+        mount: Pose2D::default(),
+        start_angle: scan.angle_min,
+        fov: scan.angle_increment * (BEAMS - 1) as f32,
+        max_range: scan.range_max,
+    }];
+    let config = LocalGridMapConfig {
+        width: FOLLOWED_SIDE,
+        height: FOLLOWED_SIDE,
+        resolution: RESOLUTION,
+        lidars: &lidars,
+        ..LocalGridMapConfig::default()
+    };
+    let mut map = LocalGridMap::new_in(&mut cells[..], config)?;
+    let (cells, buffers) = costs.split();
+    let grid = OccupancyGrid::new_in(cells, FOLLOWED_SIDE, FOLLOWED_SIDE, RESOLUTION, Pose2D::default())?;
+    let mut costs = CostMap::new_in(grid, buffers, case::R11.params)?;
+    let mut state = state.state();
+    let mut workspaces = [beams.workspace()];
+
+    let (mut follow, mut update) = (Stat::default(), Stat::default());
+    for tick in 0..TICKS {
+        let scan = sensor.measure(office, tick);
+        lidars[0].write(&mut state, scan.ranges)?;
+        map.update(&state, robot(tick), &mut workspaces)?;
+        let (done, follows) = meter.measure(|| map.update_cost_map(&mut costs));
+        done?;
+        let (_, updates) = meter.measure(|| costs.update_costs());
+        if tick > 0 {
+            follow.add(follows);
+            update.add(updates);
+        }
+    }
+    table.row(FOLLOWED, "update_cost_map, moving", follow);
+    table.row(FOLLOWED, "update_costs after it", update);
     Ok(())
 }
