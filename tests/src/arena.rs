@@ -2,6 +2,7 @@ use horus_core::costmap::{CostMapBuffers, FieldCell};
 use horus_core::distance::{DistanceCell, DistanceMapBuffers};
 use horus_core::evidence::{EvidenceF32, EvidenceU8, EvidenceU16, LocalMappingBuffers, MassCell};
 use horus_core::local::SensingBuffers;
+use horus_core::prelude::ScanBuffers;
 
 /// Memory in which one object after another is made, so that programs for 128 KiB of RAM can have
 /// several large ones.
@@ -25,6 +26,8 @@ unsafe impl<D: DistanceCell, const N: usize, const VERTICES: usize> ZeroBits
     for DistanceMapBuffers<D, N, VERTICES>
 {
 }
+// SAFETY: numbers.
+unsafe impl<const BEAMS: usize, const WORDS: usize> ZeroBits for ScanBuffers<BEAMS, WORDS> {}
 // SAFETY: numbers, and an enum whose first value is zero.
 unsafe impl<const SLOTS: usize, const FLOATS: usize, const BYTES: usize> ZeroBits
     for SensingBuffers<SLOTS, FLOATS, BYTES>
@@ -52,6 +55,8 @@ unsafe impl<const N: usize> ZeroBits for [EvidenceF32; N] {}
 unsafe impl<const N: usize> ZeroBits for [[f64; 3]; N] {}
 // SAFETY: bytes.
 unsafe impl<const N: usize> ZeroBits for [u8; N] {}
+// SAFETY: as above.
+unsafe impl<const N: usize> ZeroBits for [f32; N] {}
 // SAFETY: bytes.
 unsafe impl<const N: usize> ZeroBits for [i8; N] {}
 // SAFETY: both are, and padding may be anything.

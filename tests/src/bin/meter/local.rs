@@ -16,6 +16,31 @@ const TICKS: u32 = 40;
 /// Updates with a move by one cell along each axis.
 const MOVES: i32 = 5;
 
+/// Beams of a dense lidar.
+const DENSE: usize = 3 * BEAMS;
+
+/// The office's lidar, with so many beams over the same angles.
+fn lidar(scan: &LaserScan<'_>, beams: usize) -> Lidar<'static> {
+    Lidar {
+        name: "lidar",
+        mount: Pose2D::default(),
+        start_angle: scan.angle_min,
+        fov: scan.angle_increment * (BEAMS * (beams - 1) / beams) as f32,
+        max_range: scan.range_max,
+    }
+}
+
+fn config<'l>(side: u32, lidars: &'l [Lidar<'l>]) -> LocalGridMapConfig<'l> {
+    LocalGridMapConfig {
+        width: side,
+        height: side,
+        resolution: RESOLUTION,
+        radius: 0.2,
+        lidars,
+        ..LocalGridMapConfig::default()
+    }
+}
+
 /// Named buffers of one lidar.
 pub type State = SensingBuffers<5, { BEAMS + 6 }, 0>;
 
@@ -29,24 +54,10 @@ pub fn run((cells, buffers): (&mut [u8; 200 * 200], &mut State), bench: &mut Ben
         ..
     } = bench;
     let scan = sensor.measure(office, 0);
-    let lidars = [Lidar {
-        name: "lidar",
-        mount: Pose2D::default(),
-        start_angle: scan.angle_min,
-        fov: scan.angle_increment * (BEAMS - 1) as f32,
-        max_range: scan.range_max,
-    }];
-    let config = LocalGridMapConfig {
-        width: SIDE,
-        height: SIDE,
-        resolution: RESOLUTION,
-        radius: 0.2,
-        lidars: &lidars,
-        ..LocalGridMapConfig::default()
-    };
+    let lidars = [lidar(&scan, BEAMS)];
     let mut map = None;
-    let (done, cost) =
-        meter.measure(|| LocalGridMap::new_in(&mut cells[..], config).map(|made| map = Some(made)));
+    let (done, cost) = meter
+        .measure(|| LocalGridMap::new_in(&mut cells[..], config(SIDE, &lidars)).map(|made| map = Some(made)));
     table.row(SETTING, "LocalGridMap::new_in", cost);
     done?;
     let Some(mut map) = map else { return Ok(()) };
@@ -120,21 +131,8 @@ pub fn run_followed(memory: &mut Following, bench: &mut Bench<'_>) -> Result<(),
     } = bench;
     let ((cells, state), costs) = memory;
     let scan = sensor.measure(office, 0);
-    let lidars = [Lidar {
-        name: "lidar",
-        mount: Pose2D::default(),
-        start_angle: scan.angle_min,
-        fov: scan.angle_increment * (BEAMS - 1) as f32,
-        max_range: scan.range_max,
-    }];
-    let config = LocalGridMapConfig {
-        width: FOLLOWED_SIDE,
-        height: FOLLOWED_SIDE,
-        resolution: RESOLUTION,
-        lidars: &lidars,
-        ..LocalGridMapConfig::default()
-    };
-    let mut map = LocalGridMap::new_in(&mut cells[..], config)?;
+    let lidars = [lidar(&scan, BEAMS)];
+    let mut map = LocalGridMap::new_in(&mut cells[..], config(FOLLOWED_SIDE, &lidars))?;
     let (cells, buffers) = costs.split();
     let grid = OccupancyGrid::new_in(cells, FOLLOWED_SIDE, FOLLOWED_SIDE, RESOLUTION, Pose2D::default())?;
     let mut costs = CostMap::new_in(grid, buffers, case::R11.params)?;
@@ -156,5 +154,41 @@ pub fn run_followed(memory: &mut Following, bench: &mut Bench<'_>) -> Result<(),
     }
     table.row(FOLLOWED, "update_cost_map, moving", follow);
     table.row(FOLLOWED, "update_costs after it", update);
+    Ok(())
+}
+
+/// A local map of a dense lidar.
+pub type Dense = (
+    ([u8; 200 * 200], SensingBuffers<5, { DENSE + 6 }, 0>),
+    (ScanBuffers<DENSE, 0>, [f32; DENSE]),
+);
+
+pub fn run_dense(memory: &mut Dense, bench: &mut Bench<'_>) -> Result<(), Error> {
+    let Bench {
+        meter,
+        table,
+        lidar: sensor,
+        office,
+        ..
+    } = bench;
+    let ((cells, state), (beams, ranges)) = memory;
+    let lidars = [lidar(&sensor.measure(office, 0), DENSE)];
+    let mut map = LocalGridMap::new_in(&mut cells[..], config(SIDE, &lidars))?;
+    let mut state = state.state();
+    let mut workspaces = [beams.workspace()];
+    let mut update = Stat::default();
+    for tick in 0..TICKS {
+        let scan = sensor.measure(office, tick);
+        for (three, range) in ranges.chunks_mut(DENSE / BEAMS).zip(scan.ranges) {
+            three.fill(*range);
+        }
+        lidars[0].write(&mut state, ranges)?;
+        let (done, cost) = meter.measure(|| map.update(&state, robot(tick), &mut workspaces));
+        done?;
+        if tick > 0 {
+            update.add(cost);
+        }
+    }
+    table.row(SETTING, "update, moving, 1080 rays", update);
     Ok(())
 }

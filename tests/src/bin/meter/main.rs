@@ -63,6 +63,7 @@ fn all(bench: &mut Bench<'_>) -> Result<(), horus_core::Error> {
     grid::run(arena.zeroed::<[i8; 200 * 200]>(), bench)?;
     let (cells, state) = arena.zeroed::<([u8; 200 * 200], local::State)>();
     local::run((cells, state), bench)?;
+    local::run_dense(arena.zeroed(), bench)?;
     local::run_followed(arena.zeroed(), bench)?;
     for case in [case::R11, case::R15] {
         cost_map::run(&case, arena.zeroed::<Near>().split(), bench)?;
