@@ -118,7 +118,8 @@ impl<'a, G: OccupancyGrid2d + ?Sized> RayCaster<'a, G> {
 
     /// First and last cell of the uncut ray.
     fn ends(&self, bearing: UnitComplex<f32>) -> Option<(Vector2<i32>, Vector2<i32>)> {
-        let source = self.source?;
+        // A negative range is no ray.
+        let source = self.source.filter(|_| self.range >= 0.0)?;
         let (cos, sin) = turned(source.heading, bearing);
         let end = source.point + Vector2::new(cos * self.range, sin * self.range);
         let cell = self.grid.cell_near(end)?;

@@ -18,9 +18,9 @@ pub struct MapKindOptions {
     /// With --map local: its properties, a YAML file in navground's form
     #[arg(long, value_name = "FILE")]
     config: Option<PathBuf>,
-    /// With --map evidence: how scans are fused
-    #[arg(long, value_name = "RULE", value_parser = fusion, default_value = "pcr6")]
-    fusion: FusionOperator,
+    /// With --map evidence: how scans are fused [default: pcr6]
+    #[arg(long, value_name = "RULE", value_parser = fusion)]
+    fusion: Option<FusionOperator>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -37,6 +37,9 @@ fn fusion(name: &str) -> Result<FusionOperator, String> {
 impl MapKindOptions {
     /// Makes `config` that of the chosen map. A file's size and resolution go before the options.
     pub fn apply(&self, config: &mut LockstepConfig) -> anyhow::Result<()> {
+        if self.fusion.is_some() && self.map != MapKind::Evidence {
+            bail!("--fusion is a rule of evidence grids: it needs --map evidence");
+        }
         match (self.map, &self.config) {
             (MapKind::Grid | MapKind::Evidence, None) => {}
             (MapKind::Grid | MapKind::Evidence, Some(_)) => {
@@ -69,7 +72,7 @@ impl MapKindOptions {
             width: grid.width,
             height: grid.height,
             resolution: grid.resolution,
-            rule: FusionRule::new(self.fusion),
+            rule: FusionRule::new(self.fusion.unwrap_or_default()),
             ..EvidenceConfig::default()
         })
     }

@@ -1,6 +1,7 @@
 //! Grids of named 32-bit floats.
 
 use horus_host::log::msg::{Grid, NumericType, PackedElementField, Pose, Time, Vector2};
+use horus_host::picture::palette;
 use horus_host::topic::{GridHeader, frame_bytes, frame_name};
 
 /// Names of the values in grids of the logs.
@@ -69,4 +70,40 @@ pub fn grid<const N: usize>(
         fields: (0..).zip(names).map(field).collect(),
         data: cells.flatten().flat_map(f32::to_le_bytes).collect(),
     }
+}
+
+/// A grid of evidence as logs hold it: masses, what is unknown, and colours.
+pub fn evidence(header: &GridHeader, masses: impl Iterator<Item = [f64; 2]>) -> Grid {
+    Grid {
+        row_stride: header.width.saturating_mul(EVIDENCE_BYTES),
+        cell_stride: EVIDENCE_BYTES,
+        fields: evidence_fields(),
+        data: evidence_bytes(masses),
+        ..grid(header, EVIDENCE, std::iter::empty())
+    }
+}
+
+/// Bytes of a cell of evidence in logs.
+pub const EVIDENCE_BYTES: u32 = 16;
+
+pub fn evidence_fields() -> Vec<PackedElementField> {
+    let of = |names: &[&str], at: u32, size: u32, kind: NumericType| -> Vec<_> {
+        let field = |(i, name): (u32, &&str)| PackedElementField::new(name, at + size * i, kind);
+        (0..).zip(names).map(field).collect()
+    };
+    let masses = of(&["free", "occupied", "unknown"], 0, 4, NumericType::Float32);
+    let colours = of(&["red", "green", "blue", "alpha"], 12, 1, NumericType::Uint8);
+    [masses, colours].concat()
+}
+
+pub fn evidence_bytes(masses: impl Iterator<Item = [f64; 2]>) -> Vec<u8> {
+    let mut data = Vec::new();
+    for [free, occupied] in masses {
+        for mass in [free, occupied, (1.0 - free - occupied).max(0.0)] {
+            data.extend((mass as f32).to_le_bytes());
+        }
+        data.extend(palette::evidence([free, occupied]).0);
+        data.push(u8::MAX);
+    }
+    data
 }

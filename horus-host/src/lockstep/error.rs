@@ -15,6 +15,16 @@ pub enum LockstepError {
         /// The largest number of cells.
         most: u64,
     },
+    /// A side longer than distances can be computed along.
+    #[error("a map of {width} x {height} cells is not possible: distances need at most {most} on a side")]
+    Side {
+        /// Columns asked for.
+        width: u32,
+        /// Rows asked for.
+        height: u32,
+        /// The longest side.
+        most: u32,
+    },
     /// Costs above zero reach farther than a two-byte field holds.
     #[error(
         "an inflation radius of {radius} m at {resolution} m per cell reaches beyond {max_cells} cells, \

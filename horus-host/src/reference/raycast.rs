@@ -59,6 +59,9 @@ impl BelugaGrid<'_> {
         let of = |angle: f32| (libm::cosf(angle), libm::sinf(angle));
         let (c, s) = turned(ct, -st, of(theta));
         let (c, s) = turned(c, s, of(bearing as f32));
+        if range < 0.0 {
+            return None;
+        }
         let end = [source[0] + c * range, source[1] + s * range];
         let from = self.cell_of_f32(source)?;
         let to = self.cell_of_f32(end)?;

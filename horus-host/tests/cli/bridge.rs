@@ -100,9 +100,19 @@ fn limits_topics_and_silence_end_a_recording() {
     let received: serde_json::Value = serde_json::from_slice(&finished(sub).stdout).unwrap();
     assert_eq!(received["topics"], serde_json::json!({"/scan": 5}));
 
-    let silent = [&["sub", "--out", &live, "--timeout", "1"], &common[..]].concat();
+    let kept = path("kept.mcap");
+    fs::copy(&log, &kept).unwrap();
+    let silent = [&["sub", "--out", &kept, "--timeout", "1"], &common[..]].concat();
     refused(&silent, &["no message came"]);
-    assert!(!fs::exists(&live).unwrap(), "nothing is left");
+    assert_eq!(
+        fs::read(&kept).unwrap(),
+        fs::read(&log).unwrap(),
+        "a log that was there stays"
+    );
+    let none = path("none.mcap");
+    let silent = [&["sub", "--out", &none, "--timeout", "1"], &common[..]].concat();
+    refused(&silent, &["no message came"]);
+    assert!(!fs::exists(&none).unwrap(), "nothing is left");
     refused(
         &[&["pub", &log, "--wait", "1", "--patience", "1"], &common[..]].concat(),
         &["0 of 1 subscribers"],

@@ -81,6 +81,9 @@ fn evidence_is_replayed_compared_and_logged() {
             1,
             "masses of f64 are not those of 16 bits"
         );
+        let tolerant = ["--tolerance", "/evidence=0.001", "--tolerance", "/distance=0.001"];
+        let compared = support::run(&[&["compare", &core, &std], &tolerant[..]].concat());
+        assert_eq!(support::code(&compared), 0, "colours follow the masses");
         let differences = grids(Path::new(&diff), "/difference/evidence");
         assert!(!differences.is_empty());
         for cell in differences.iter().flat_map(|grid| grid.data.chunks(8)) {
@@ -91,6 +94,13 @@ fn evidence_is_replayed_compared_and_logged() {
             assert!(Path::new(out).join(picture).is_file(), "{picture}");
         }
     }
+    refused(&["replay", log, "--fusion", "pcr6"], &["--map evidence"]);
+    refused(
+        &[
+            "replay", log, "--map", "evidence", "--width", "70000", "--height", "2",
+        ],
+        &["70000", "32767"],
+    );
     let unknown = ["replay", log, "--map", "evidence", "--fusion", "yager"];
     let output = support::run(&unknown);
     assert_eq!(support::code(&output), 2);

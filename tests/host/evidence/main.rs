@@ -5,4 +5,5 @@ mod drift;
 mod exact;
 mod rules;
 mod scene;
+mod turns;
 mod wall;

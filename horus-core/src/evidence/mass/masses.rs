@@ -86,7 +86,9 @@ impl Masses {
     /// The occupancy value of a cell: the pignistic probability in percent, 0 to 100, or
     /// [`UNKNOWN`](crate::grid::UNKNOWN) where more than `max_uncertain` is uncertain.
     pub fn occupancy(&self, max_uncertain: f32) -> i8 {
-        if self.uncertain() > max_uncertain {
+        // A cell at the limit is known, whatever rounding made of its masses: a step of 16 bits is 15 times this.
+        const ROUNDING: f32 = 1e-6;
+        if self.uncertain() > max_uncertain + ROUNDING {
             crate::grid::UNKNOWN
         } else {
             // 0.5 to 100.5: the cast rounds to the nearest percent, halves up.

@@ -141,9 +141,11 @@ pub(crate) struct Decision<M> {
 impl<M: MassCell> Decision<M> {
     pub(crate) fn new(thresholds: BinaryThresholds) -> Result<Self, Error> {
         thresholds.validate()?;
+        // No threshold above zero is met by a cell that says nothing.
+        let steps = |threshold: f32| M::steps(threshold).max(u32::from(threshold > 0.0));
         Ok(Self {
-            free: M::steps(thresholds.free_threshold),
-            occupied: M::steps(thresholds.occupied_threshold),
+            free: steps(thresholds.free_threshold),
+            occupied: steps(thresholds.occupied_threshold),
             otherwise: !thresholds.is_optimistic,
             cell: core::marker::PhantomData,
         })

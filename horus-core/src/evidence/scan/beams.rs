@@ -1,6 +1,7 @@
 use core::f32::consts::{PI, TAU};
 
 use super::bearing::{self, bearing};
+use super::flatscan::LEAST_GAP;
 use super::{Flatscan, ScanClass, SensorModel};
 use crate::error::{Buffer, Error, require};
 use crate::math;
@@ -142,17 +143,33 @@ impl<'a> Beams<'a> {
     #[inline]
     fn nearest(&self, a: f32, beam: &mut usize) -> f32 {
         let mut best = self.difference(a, *beam);
-        // Distances around a circle fall up to the nearest beam and rise behind it, so the first
-        // beam that is no nearer ends the walk.
-        if best >= 0.0 {
-            while self.improve(a, beam, &mut best, self.after(*beam)) {}
-            // The lower index of a tie, and a start just beyond the beam behind.
-            while self.improve(a, beam, &mut best, self.before(*beam)) {}
-        } else {
-            while self.improve(a, beam, &mut best, self.before(*beam)) {}
-            while self.improve(a, beam, &mut best, self.after(*beam)) {}
+        if self.guess.overlaps {
+            for candidate in 0..self.angles.len() {
+                self.improve(a, beam, &mut best, candidate);
+            }
+            return best;
         }
-        best
+        let last = self.angles.len().saturating_sub(1);
+        loop {
+            // Distances around a circle fall up to the nearest beam and rise behind it, so the first
+            // beam that is no nearer ends the walk.
+            if best >= 0.0 {
+                while self.improve(a, beam, &mut best, self.after(*beam)) {}
+                // The lower index of a tie, and a start just beyond the beam behind.
+                while self.improve(a, beam, &mut best, self.before(*beam)) {}
+            } else {
+                while self.improve(a, beam, &mut best, self.before(*beam)) {}
+                while self.improve(a, beam, &mut best, self.after(*beam)) {}
+            }
+            // But for the seam of a full circle: there the last beam may be the first, up to rounding.
+            if self.is_inner(*beam) && *beam != 1 && beam.wrapping_add(1) != last {
+                return best;
+            }
+            let mut seam = [0, 1, last.saturating_sub(1), last].into_iter();
+            if !seam.any(|candidate| self.improve(a, beam, &mut best, candidate)) {
+                return best;
+            }
+        }
     }
 
     /// Takes `candidate` if it is nearer, or as near and lower.
@@ -228,6 +245,8 @@ struct Guess {
     /// A bearing nearer than this to an inner beam lies nearest to it, and is covered by it: half the
     /// smallest gap (or the beams' half width), but for what bearings and differences may be off.
     certain: f32,
+    /// Whether the fan runs over its own beginning by more than rounding, so that beams there are not in order.
+    overlaps: bool,
     /// Between these bearings no beam covers anything; empty for a full circle.
     open: (f32, f32),
 }
@@ -247,10 +266,16 @@ impl Guess {
         };
         let half = half_width.map_or(half, |width| half.min(width));
         let inner = angles.len().saturating_sub(1) as f32;
+        let overlaps = last - first > TAU + LEAST_GAP;
         Self {
+            overlaps,
             first,
             density: if last > first { inner / (last - first) } else { 0.0 },
-            certain: half - 2.0 * bearing::ERROR,
+            certain: if overlaps {
+                -1.0
+            } else {
+                half - 2.0 * bearing::ERROR
+            },
             open,
         }
     }
@@ -258,7 +283,13 @@ impl Guess {
     /// A beam, which may be one that there is not, and the bearing on the turn that the beams are on.
     #[inline]
     fn beam(&self, a: f32) -> (usize, f32) {
-        let a = if a < self.first { a + TAU } else { a };
+        let a = if a < self.first {
+            a + TAU
+        } else if a > self.first + TAU {
+            a - TAU
+        } else {
+            a
+        };
         // The cast saturates.
         (((a - self.first) * self.density + 0.5) as usize, a)
     }

@@ -3,7 +3,7 @@ use core::f32::consts::TAU;
 use crate::error::Error;
 
 /// Least angle between two beams, radians.
-const LEAST_GAP: f32 = 1e-5;
+pub(super) const LEAST_GAP: f32 = 1e-5;
 
 /// A full turn, radians, with room for the rounding of a last beam that repeats the first.
 const TURN: f32 = TAU + 0.01;

@@ -1,14 +1,10 @@
-use std::fs::File;
-use std::io::BufWriter;
-
-use horus_host::log::{LogError, LogWriter};
+use horus_host::log::LogError;
 use horus_host::topic::kind::Kind;
 use horus_host::topic::{Domain, SliceTopic, TopicError, TopicOptions, kind};
 
+use super::live_log::LiveLog;
 use super::{convert, options};
-use crate::cli::value_grid::{self, DISTANCE, EVIDENCE};
-
-type Log = LogWriter<BufWriter<File>>;
+use crate::cli::value_grid::{self, DISTANCE};
 
 /// A topic whose messages are written to a log.
 pub enum Inlet {
@@ -52,7 +48,7 @@ impl Inlet {
     }
 
     /// Writes the next message to the log; `false` if there is none.
-    pub fn take(&self, topic: &str, log: &mut Log) -> Result<bool, InletError> {
+    pub fn take(&self, topic: &str, log: &mut LiveLog) -> Result<bool, InletError> {
         match self {
             Self::Map(inlet) => take(inlet, |header, cells| {
                 log.write(topic, header.timestamp_ns, &convert::map(header, cells))
@@ -79,12 +75,8 @@ impl Inlet {
                 )
             }),
             Self::Evidence(inlet) => take(inlet, |header, cells| {
-                let cells = cells.iter().copied();
-                log.write(
-                    topic,
-                    header.timestamp_ns,
-                    &value_grid::grid(header, EVIDENCE, cells),
-                )
+                let masses = cells.iter().map(|masses| masses.map(f64::from));
+                log.write(topic, header.timestamp_ns, &value_grid::evidence(header, masses))
             }),
         }
     }

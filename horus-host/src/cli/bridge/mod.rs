@@ -2,6 +2,7 @@
 
 mod convert;
 mod inlet;
+mod live_log;
 mod outlet;
 mod publish;
 mod subscribe;

@@ -1,5 +1,4 @@
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -8,11 +7,11 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, bail};
 use clap::Args;
-use horus_host::log::LogWriter;
 use serde::Serialize;
 
 use super::domain;
 use super::inlet::Inlet;
+use super::live_log::LiveLog;
 use crate::cli::progress;
 use crate::cli::report;
 use crate::cli::survey::in_file;
@@ -62,8 +61,7 @@ pub fn run(options: &SubscribeOptions) -> anyhow::Result<Verdict> {
     let flag = Arc::clone(&stop);
     ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed)).context("cannot watch for Ctrl-C")?;
 
-    // Under its own name from the start: what was flushed survives a crash.
-    let mut log = LogWriter::create(out)?;
+    let mut log = LiveLog::new(out)?;
     let mut inlets = BTreeMap::<String, Option<Inlet>>::new();
     let mut subscribed = Subscribed {
         topics: BTreeMap::new(),
@@ -106,7 +104,7 @@ pub fn run(options: &SubscribeOptions) -> anyhow::Result<Verdict> {
                 }
             }
             let has_publishers = inlets.values().flatten().any(Inlet::has_publishers);
-            if !came && had_publishers && !has_publishers {
+            if timeout.is_none() && !came && had_publishers && !has_publishers {
                 break; // nothing came since they were last seen
             }
             had_publishers |= has_publishers;
@@ -120,8 +118,7 @@ pub fn run(options: &SubscribeOptions) -> anyhow::Result<Verdict> {
     }
     bar.finish_and_clear();
     if subscribed.messages == 0 {
-        drop(log);
-        let _ = fs::remove_file(out);
+        log.discard();
         bail!("no message came on any topic");
     }
     log.finish().map_err(|error| in_file(out, error))?;

@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 use horus_host::lockstep::LockstepConfig;
 use horus_host::lockstep::evidence::{EvidenceConfig, EvidenceLayers};
 use horus_host::log::msg::{Grid, NumericType, PackedElementField, Pose, Time, Vector2};
-use horus_host::picture::palette;
 
 use crate::cli::map_geometry::MapGeometry;
 use crate::cli::map_log::{Frames, MapLog};
 use crate::cli::step::ScanStep;
+use crate::cli::value_grid::{self, EVIDENCE_BYTES};
 
 /// The log of one side: scans, transforms, and the evidence and distances after them.
 pub struct EvidenceLog {
@@ -57,25 +57,14 @@ impl EvidenceLog {
     }
 
     fn evidence(&self, stamp_ns: u64, layers: &EvidenceLayers) -> Grid {
-        let masses = ["free", "occupied", "unknown"];
-        let colours = ["red", "green", "blue", "alpha"];
-        let masses = masses
-            .iter()
-            .enumerate()
-            .map(|(i, name)| PackedElementField::new(name, 4 * i as u32, NumericType::Float32));
-        let colours = colours
-            .iter()
-            .enumerate()
-            .map(|(i, name)| PackedElementField::new(name, 12 + i as u32, NumericType::Uint8));
-        let mut data = Vec::with_capacity(16 * layers.masses.len());
-        for &[free, occupied] in &layers.masses {
-            for mass in [free, occupied, 1.0 - free - occupied] {
-                data.extend((mass as f32).to_le_bytes());
-            }
-            data.extend(palette::evidence([free, occupied]).0);
-            data.push(u8::MAX);
-        }
-        self.grid(stamp_ns, layers, masses.chain(colours).collect(), 16, data)
+        let data = value_grid::evidence_bytes(layers.masses.iter().copied());
+        self.grid(
+            stamp_ns,
+            layers,
+            value_grid::evidence_fields(),
+            EVIDENCE_BYTES,
+            data,
+        )
     }
 
     fn distance(&self, stamp_ns: u64, layers: &EvidenceLayers) -> Grid {

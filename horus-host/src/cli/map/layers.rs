@@ -1,8 +1,8 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use anyhow::Context;
-use horus_core::distance::DistanceMap;
+use anyhow::{Context, bail};
+use horus_core::distance::{DistanceMap, MAX_SIDE};
 use horus_core::prelude::Pose2D;
 use horus_host::lockstep::{CoreStorage, FixedMap, LockstepConfig};
 use horus_host::log::msg::Header;
@@ -35,6 +35,10 @@ pub fn write(
     distances: Distances,
     bar: &ProgressBar,
 ) -> anyhow::Result<Vec<PathBuf>> {
+    let (width, height) = (config.width, config.height);
+    if width.max(height) > MAX_SIDE {
+        bail!("{width} x {height} cells: distances are computed of at most {MAX_SIDE} on a side");
+    }
     bar.set_message("computing costs");
     let mut storage = CoreStorage::new(config, 0)?;
     let fixed = FixedMap::new(config, origin, &map.cells, &mut storage)?;

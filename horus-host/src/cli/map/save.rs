@@ -49,12 +49,15 @@ pub fn run(options: &SaveOptions) -> anyhow::Result<Verdict> {
     if yaml.file_name().is_none() || image == *yaml {
         bail!("{} cannot be the name of the YAML file", yaml.display());
     }
-    for written in [yaml, &image] {
-        if is_same(source, written) {
-            bail!("{}: the map would be overwritten by itself", source.display());
+    let map = SourceMap::read(source, &options.topic)?;
+    for (written, read) in [yaml, &image]
+        .into_iter()
+        .flat_map(|w| map.files.iter().map(move |r| (w, r)))
+    {
+        if is_same(read, written) {
+            bail!("{}: the map would be overwritten by itself", read.display());
         }
     }
-    let map = SourceMap::read(source, &options.topic)?;
     let text = MapYaml::new(map.resolution, map.origin, options.mode);
     save(yaml, &text, map.size, &map.cells, options.format)?;
     let saved = Saved {

@@ -1,6 +1,6 @@
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail};
 use horus_host::log::msg::{Message, OccupancyGrid};
@@ -18,6 +18,8 @@ pub struct SourceMap {
     pub resolution: f64,
     pub origin: [f64; 3],
     pub cells: Vec<i8>,
+    /// What it was read from.
+    pub files: Vec<PathBuf>,
 }
 
 impl SourceMap {
@@ -29,7 +31,9 @@ impl SourceMap {
             return Self::from_log(path, topic);
         }
         let map = MapFile::load(path, &mut |_, _| {})?;
+        let image = path.parent().unwrap_or(Path::new("")).join(&map.yaml.image);
         Ok(Self {
+            files: vec![path.to_owned(), image],
             size: (map.width, map.height),
             resolution: map.yaml.resolution,
             origin: map.yaml.origin,
@@ -62,6 +66,7 @@ impl SourceMap {
         let grid: OccupancyGrid = message.decode().map_err(|error| in_file(path, error))?;
         let (info, pose) = (&grid.info, &grid.info.origin);
         Ok(Self {
+            files: vec![path.to_owned()],
             size: (info.width, info.height),
             // Decimal, as it was most likely meant: 0.05, not 0.05000000074505806.
             resolution: info

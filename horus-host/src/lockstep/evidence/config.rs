@@ -1,3 +1,4 @@
+use horus_core::distance::MAX_SIDE;
 use horus_core::evidence::{BinaryThresholds, FusionOperator, FusionRule, Lattice, SensorModel};
 use horus_core::prelude::{Error, Pose2D};
 
@@ -54,6 +55,13 @@ impl EvidenceConfig {
             ..LockstepConfig::default()
         };
         size.validate()?;
+        if self.width.max(self.height) > MAX_SIDE {
+            return Err(LockstepError::Side {
+                width: self.width,
+                height: self.height,
+                most: MAX_SIDE,
+            });
+        }
         self.rule.validate()?;
         self.model.validate()?;
         self.thresholds.validate()?;

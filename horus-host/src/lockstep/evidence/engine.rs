@@ -233,6 +233,9 @@ impl<'a> EvidenceLockstep<'a> {
 
     fn squared(&self, binary: &[bool]) -> Vec<u32> {
         let cells = self.config.max_distance / self.config.resolution;
+        // As many cells as it was meant to be, if nearly that many.
+        let is_whole = (cells - cells.round()).abs() <= 1.0 / 1024.0;
+        let cells = if is_whole { cells.round() } else { cells };
         let cap = (cells * cells).ceil().min(65_535.0) as u32;
         let width = self.config.width.max(1) as usize;
         (0..binary.len())

@@ -1,7 +1,8 @@
 //! Where in a grid an element of its data lies.
 use crate::log::cdr::CdrValue;
 use crate::log::msg::{
-    Costmap, Grid, LaserScan, NumericType, OccupancyGrid, Path, PoseStamped, TFMessage, TransformStamped,
+    Costmap, Grid, LaserScan, NumericType, OccupancyGrid, PackedElementField, Path, PoseStamped, TFMessage,
+    TransformStamped,
 };
 
 /// A value of a cell in two grids.
@@ -134,6 +135,11 @@ impl Cells for Grid {
                 let at = field.offset as usize..(field.offset as usize).saturating_add(len);
                 if let (Some(value), Some(other)) = (cell.get_mut(at.clone()), other.get(at)) {
                     let distance = number(value, field.r#type).zip(number(other, field.r#type));
+                    let tolerance = if is_colour(field) {
+                        (255.0 * tolerance).ceil()
+                    } else {
+                        tolerance
+                    };
                     if distance.is_some_and(|(a, b)| (a - b).abs() <= tolerance) {
                         value.copy_from_slice(other);
                     }
@@ -151,6 +157,12 @@ impl Grid {
         let gx = (index % row).checked_div(cell)?;
         Some([gx as u64, gy as u64])
     }
+}
+
+/// Whether a field is a colour's channel, 0 to 255 for what the tolerance has as 0 to 1.
+fn is_colour(field: &PackedElementField) -> bool {
+    field.r#type == NumericType::Uint8 as u8
+        && ["red", "green", "blue", "alpha"].contains(&field.name.as_str())
 }
 
 /// Bytes of a number of type `code`, if we know it.
