@@ -1407,6 +1407,11 @@ horus_status horus_local_mapping_tick_within(horus_local_mapping *mapping,
 /// Size, resolution and place of the fused map.
 horus_status horus_local_mapping_info(const horus_local_mapping *mapping, horus_map_info *info);
 
+/// Size, resolution and place of the window that the distances are of: after
+/// horus_local_mapping_tick_within, that of the tick which began their stage.
+horus_status horus_local_mapping_distance_info(const horus_local_mapping *mapping,
+                                               horus_map_info *info);
+
 /// A cell of the fused map, before painting.
 ///
 /// Fails with HORUS_STATUS_OUTSIDE.
@@ -1431,7 +1436,7 @@ horus_status horus_local_mapping_is_occupied(const horus_local_mapping *mapping,
                                              uint32_t gy,
                                              bool *occupied);
 
-/// Metres from a cell to the nearest occupied one.
+/// Metres from a cell to the nearest occupied one, in the window of horus_local_mapping_distance_info.
 ///
 /// Fails with HORUS_STATUS_OUTSIDE, also while a distance stage has not ended.
 horus_status horus_local_mapping_distance(const horus_local_mapping *mapping,

@@ -58,6 +58,21 @@ pub unsafe extern "C" fn horus_local_mapping_info(
     })
 }
 
+/// Size, resolution and place of the window that the distances are of: after
+/// horus_local_mapping_tick_within, that of the tick which began their stage.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn horus_local_mapping_distance_info(
+    mapping: *const horus_local_mapping,
+    info: *mut horus_map_info,
+) -> horus_status {
+    // SAFETY: the pointers are the caller's.
+    unsafe { Call::from_c() }.run(|claims| {
+        let mapping = claims.object::<Mapping>(mapping)?;
+        claims.output(info)?.write(mapping.distance_info().into());
+        Ok(())
+    })
+}
+
 /// A cell of the fused map, before painting.
 ///
 /// Fails with HORUS_STATUS_OUTSIDE.
@@ -115,7 +130,7 @@ pub unsafe extern "C" fn horus_local_mapping_is_occupied(
     })
 }
 
-/// Metres from a cell to the nearest occupied one.
+/// Metres from a cell to the nearest occupied one, in the window of horus_local_mapping_distance_info.
 ///
 /// Fails with HORUS_STATUS_OUTSIDE, also while a distance stage has not ended.
 #[unsafe(no_mangle)]

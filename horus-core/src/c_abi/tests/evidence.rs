@@ -144,6 +144,9 @@ fn a_local_mapping_lives_in_the_callers_memory() {
             assert_eq!(refused, Status::NullPointer);
             let mut info = core::mem::zeroed::<horus_map_info>();
             assert_eq!(horus_local_mapping_info(mapping, &mut info), Status::Ok);
+            let at = info.offset;
+            assert_eq!(horus_local_mapping_distance_info(mapping, &mut info), Status::Ok);
+            assert_eq!(info.offset, at, "a whole tick leaves distances of its own window");
             assert_eq!(
                 (info.width, info.height, info.offset),
                 (24, 20, horus_shift::default())

@@ -91,6 +91,7 @@ pub fn call() {
         horus_local_mapping_bytes as *const (),
         horus_local_mapping_config_default as *const (),
         horus_local_mapping_distance as *const (),
+        horus_local_mapping_distance_info as *const (),
         horus_local_mapping_evidence as *const (),
         horus_local_mapping_info as *const (),
         horus_local_mapping_init as *const (),
