@@ -77,7 +77,7 @@ impl Told for EvidenceSummary {
 
 /// The values of the `horus` metadata record of a log written by `side`.
 pub fn metadata(config: &EvidenceConfig, frame: &str, side: &str) -> BTreeMap<String, String> {
-    let values: [(&str, &dyn fmt::Display); 14] = [
+    let values: [(&str, &dyn fmt::Display); 16] = [
         ("version", &env!("CARGO_PKG_VERSION")),
         ("side", &side),
         ("frame_id", &frame),
@@ -90,6 +90,8 @@ pub fn metadata(config: &EvidenceConfig, frame: &str, side: &str) -> BTreeMap<St
         ("m_free", &config.model.m_free.free()),
         ("m_occ", &config.model.m_occ.occupied()),
         ("wall_thickness", &config.model.wall_thickness),
+        ("free_threshold", &config.thresholds.free_threshold),
+        ("is_optimistic", &config.thresholds.is_optimistic),
         ("occupied_threshold", &config.thresholds.occupied_threshold),
         ("max_distance", &config.max_distance),
     ];
