@@ -73,10 +73,9 @@ impl<'a, F: FieldCell> CostMap<'a, F> {
         buffers: CostBuffers<'a, F>,
         params: CostParams,
     ) -> Result<Self, Error> {
-        let layer = Layer::new(grid.width(), grid.height(), grid.resolution(), buffers, params)?;
-        let mut map = Self { grid, layer };
-        map.compute_costs();
-        Ok(map)
+        let mut layer = Layer::new(grid.width(), grid.height(), grid.resolution(), buffers, params)?;
+        layer.compute(grid.data());
+        Ok(Self { grid, layer })
     }
 
     /// The grid as it is now.

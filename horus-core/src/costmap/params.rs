@@ -89,21 +89,21 @@ impl CostParams {
     /// # Errors
     /// [`Error::InvalidParameter`] naming the first field that is out of range.
     pub fn validate(&self) -> Result<(), Error> {
-        let length = |v: f32| v.is_finite() && v >= 0.0;
-        let checks = [
-            (length(self.inflation_radius), Parameter::InflationRadius),
-            (length(self.cost_scaling_factor), Parameter::CostScalingFactor),
-            ((2..=254).contains(&self.lethal_cost), Parameter::LethalCost),
-            (
-                (1..=100).contains(&self.lethal_threshold),
-                Parameter::LethalThreshold,
-            ),
-            (length(self.inscribed_radius), Parameter::InscribedRadius),
-        ];
-        match checks.into_iter().find(|(ok, _)| !ok) {
-            Some((_, parameter)) => Err(Error::InvalidParameter(parameter)),
-            None => Ok(()),
-        }
+        let is_length = |v: f32| v.is_finite() && v >= 0.0;
+        let parameter = if !is_length(self.inflation_radius) {
+            Parameter::InflationRadius
+        } else if !is_length(self.cost_scaling_factor) {
+            Parameter::CostScalingFactor
+        } else if !(2..=254).contains(&self.lethal_cost) {
+            Parameter::LethalCost
+        } else if !(1..=100).contains(&self.lethal_threshold) {
+            Parameter::LethalThreshold
+        } else if !is_length(self.inscribed_radius) {
+            Parameter::InscribedRadius
+        } else {
+            return Ok(());
+        };
+        Err(Error::InvalidParameter(parameter))
     }
 
     /// Base cost of an occupancy value.

@@ -3,7 +3,7 @@
 use super::CellValue;
 use super::edges::{Edge, Side};
 use super::field::FieldCell;
-use super::kernel::{Job, Kernel, Need};
+use super::kernel::{Job, Kernel, Lanes, Need};
 use super::refresh::Refresh;
 use crate::geometry::CellRect;
 use crate::storage::Bitmap;
@@ -23,29 +23,25 @@ pub(crate) enum Scope {
 impl Scope {
     /// The same for a row from column `x0` on.
     fn need<F: FieldCell>(self, x0: u32, gy: u32, width: u32, height: u32) -> Need<F> {
-        let Self::Edge(side, edge) = self else {
-            return if matches!(self, Self::All) {
-                Need::all()
-            } else {
-                Need::stale()
-            };
+        let (side, edge) = match self {
+            Self::All => return Need::All,
+            Self::Stale { .. } => return Need::Stale,
+            Self::Edge(side, edge) => (side, edge),
         };
-        // A source that left lay before `lost`; a cell that had it as its nearest is at least that
-        // far from it.
-        let from = |from_edge: u32| {
-            let away = (from_edge + 1).saturating_sub(edge.lost);
-            F::new(away.saturating_mul(away))
-        };
-        let mut lanes = [F::ZERO; 32];
-        for (gx, lane) in (x0..width).zip(&mut lanes) {
-            *lane = from(match side {
+        let mut least = Lanes([F::ZERO; 32]);
+        for (gx, lane) in (x0..width).zip(&mut least.0) {
+            let from_edge = match side {
                 Side::Left => gx,
                 Side::Right => width - 1 - gx,
                 Side::Bottom => gy,
                 Side::Top => height - 1 - gy,
-            });
+            };
+            // A source that left lay before `lost`; a cell that had it as its nearest is at least
+            // that far from it.
+            let away = (from_edge + 1).saturating_sub(edge.lost);
+            *lane = F::new(away.saturating_mul(away));
         }
-        Need::at_least(lanes)
+        Need::AtLeast(least)
     }
 
     /// No cell of row `gy` that must be recomputed has a squared distance below the square of

@@ -25,7 +25,7 @@ impl<F: FieldCell> Layer<'_, F> {
         if dx.unsigned_abs() >= self.width || dy.unsigned_abs() >= self.height {
             self.changes.clear();
             self.edges.clear();
-            self.field.fill(if unknown_is_source { F::ZERO } else { F::NONE });
+            storage::fill(self.field, if unknown_is_source { F::ZERO } else { F::NONE });
             self.sources.fill(0);
             if unknown_is_source {
                 self.set_sources(CellRect {

@@ -60,7 +60,7 @@ fn check_kernel<F: FieldCell, K: Kernel<F>>(mut kernel: K, disc: Disc, seed: u32
             let mut row: Vec<F> = (0..lanes)
                 .map(|l| if bit(l) { F::STALE } else { F::new(3) })
                 .collect();
-            let written = kernel.row(bitmap, gy as i32, (&Need::stale(), 0), &mut row);
+            let written = kernel.row(bitmap, gy as i32, (&Need::Stale, 0), &mut row);
             assert_eq!(written & mask, mask);
             for (lane, field) in (0..).zip(&row) {
                 let expected = if bit(lane) {

@@ -141,7 +141,8 @@ impl<'a> ScanWorkspace<'a> {
             self.angles = angles;
             self.computed = 0;
         }
-        for (i, slot) in self.slots.iter_mut().enumerate().take(beams).skip(self.computed) {
+        let missing = self.slots.get_mut(self.computed..beams).unwrap_or_default();
+        for (i, slot) in (self.computed..).zip(missing) {
             let (cos, sin) = math::beam_cos_sin(angles.angle(i));
             slot.direction = Vector2::new(cos, sin);
         }

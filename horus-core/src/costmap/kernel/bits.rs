@@ -172,17 +172,12 @@ impl<F: FieldCell, const STRIDE: usize, const WORDS: usize> Kernel<F> for Bits<'
 
     fn all(&mut self, sources: Bitmap<'_>, field: &mut [F]) {
         let width = sources.width();
-        let need = Need::all();
         for x0 in (0..width).step_by(32) {
             Kernel::<F>::start(self, x0 as i32);
             for (gy, row) in (0..).zip(field.chunks_exact_mut(width as usize)) {
                 let x1 = width.min(x0 + 32) as usize;
-                self.row(
-                    sources,
-                    gy,
-                    (&need, 0),
-                    row.get_mut(x0 as usize..x1).unwrap_or_default(),
-                );
+                let row = row.get_mut(x0 as usize..x1).unwrap_or_default();
+                self.row(sources, gy, (&Need::All, 0), row);
             }
         }
     }

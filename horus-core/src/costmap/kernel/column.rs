@@ -106,11 +106,10 @@ impl<F: FieldCell> Kernel<F> for Column<'_> {
     }
 
     fn row(&mut self, sources: Bitmap<'_>, gy: i32, (need, _): (&Need<F>, u32), row: &mut [F]) -> u32 {
-        let [from, ..] = need.from;
         let Some(cell) = row.first_mut() else {
             return 0;
         };
-        if !need.is_all() && !need.lane(*cell, from) {
+        if !need.first(*cell) {
             return 0;
         }
         *cell = self.cell(sources, gy);

@@ -131,9 +131,11 @@ impl<F: FieldCell, const LANES: usize, const ROWS: usize> Kernel<F> for Lanes<F,
     }
 
     fn row(&mut self, sources: Bitmap<'_>, gy: i32, (need, _): (&Need<F>, u32), row: &mut [F]) -> u32 {
-        let Some(from) = need.from.first_chunk::<LANES>() else {
+        let (from, to) = need.limits();
+        let Some(from) = from.first_chunk::<LANES>() else {
             return 0;
         };
+        let needed = |field: F, from: F| from <= field && field <= to;
         // Whole rows in arrays, so that every loop below has a fixed length.
         let mut old = [F::NONE; LANES];
         match row.first_chunk::<LANES>() {
@@ -143,18 +145,18 @@ impl<F: FieldCell, const LANES: usize, const ROWS: usize> Kernel<F> for Lanes<F,
                 .zip(row.iter())
                 .for_each(|(old, cell)| *old = *cell),
         }
-        if !need.is_all()
+        if !matches!(need, Need::All)
             && !old
                 .iter()
                 .zip(from)
-                .fold(false, |any, (&f, &from)| any | need.lane(f, from))
+                .fold(false, |any, (&f, &from)| any | needed(f, from))
         {
             return 0;
         }
         self.reach(sources, gy);
         let mut lanes = self.nearest(gy);
         for ((lane, &old), &from) in lanes.iter_mut().zip(&old).zip(from) {
-            *lane = if need.lane(old, from) { *lane } else { old };
+            *lane = if needed(old, from) { *lane } else { old };
         }
         match row.first_chunk_mut::<LANES>() {
             Some(row) => *row = lanes,

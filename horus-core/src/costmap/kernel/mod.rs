@@ -15,7 +15,7 @@ pub(crate) mod quads;
 pub(crate) mod stamp;
 
 pub(crate) use disc::Disc;
-pub(crate) use need::Need;
+pub(crate) use need::{Lanes, Need};
 
 use super::field::FieldCell;
 use crate::storage::Bitmap;

@@ -1,63 +1,57 @@
 use super::super::field::FieldCell;
 use super::low_bits;
 
-/// Which cells of a row of up to 32 must be recomputed: those whose field lies between `from`,
-/// lane by lane, and `to`.
+/// Which cells of a row of up to 32 must be recomputed.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Need<F> {
-    pub from: [F; 32],
-    pub to: F,
+pub(crate) enum Need<F> {
+    /// Every cell.
+    All,
+    /// Those marked stale.
+    Stale,
+    /// Those that have a source in reach, at least as far away as the lane says.
+    AtLeast(Lanes<F>),
 }
 
+/// A field value per cell of a row; aligned, so that it is copied a word at a time.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(4))]
+pub(crate) struct Lanes<F>(pub [F; 32]);
+
 impl<F: FieldCell> Need<F> {
-    /// Every cell.
-    pub(crate) fn all() -> Self {
-        Self {
-            from: [F::ZERO; 32],
-            to: F::NONE,
-        }
-    }
-
-    /// The cells marked stale.
-    pub(crate) fn stale() -> Self {
-        Self {
-            from: [F::STALE; 32],
-            to: F::STALE,
-        }
-    }
-
-    /// The cells that have a source in reach, at least as far away as the lane says.
-    pub(crate) fn at_least(from: [F; 32]) -> Self {
-        Self { from, to: F::STALE }
-    }
-
-    pub(crate) fn is_all(&self) -> bool {
-        self.to == F::NONE
-    }
-
-    fn is_stale(&self) -> bool {
-        // Lanes of the third kind are squares or NONE; STALE (254, 65534) is no square.
-        self.from[0] == F::STALE
-    }
-
+    /// Lane by lane the least field of a cell that must be recomputed, and the greatest of all lanes.
     #[inline]
-    pub(crate) fn lane(&self, field: F, from: F) -> bool {
-        from <= field && field <= self.to
+    pub(crate) fn limits(&self) -> ([F; 32], F) {
+        match *self {
+            Self::All => ([F::ZERO; 32], F::NONE),
+            Self::Stale => ([F::STALE; 32], F::STALE),
+            // STALE is the greatest value below NONE.
+            Self::AtLeast(Lanes(from)) => (from, F::STALE),
+        }
     }
 
     /// The cells of a row as bits.
     #[inline]
     pub(crate) fn mask(&self, row: &[F]) -> u32 {
-        if self.is_all() {
-            return low_bits(row.len() as u32);
+        match self {
+            Self::All => low_bits(row.len() as u32),
+            Self::Stale => F::stale_bits(row),
+            Self::AtLeast(Lanes(from)) => {
+                let mut mask = 0;
+                for (lane, (&field, &from)) in row.iter().zip(from).enumerate() {
+                    mask |= u32::from(from <= field && field != F::NONE) << lane;
+                }
+                mask
+            }
         }
-        if self.is_stale() {
-            return F::stale_bits(row);
+    }
+
+    /// Whether the only cell of a row must be recomputed.
+    #[inline]
+    pub(crate) fn first(&self, field: F) -> bool {
+        match *self {
+            Self::All => true,
+            Self::Stale => field == F::STALE,
+            Self::AtLeast(Lanes([from, ..])) => from <= field && field != F::NONE,
         }
-        let mut mask = 0;
-        for (lane, (&field, &from)) in row.iter().zip(&self.from).enumerate() {
-            mask |= u32::from(self.lane(field, from)) << lane;
-        }
-        mask
     }
 }
