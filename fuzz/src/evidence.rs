@@ -1,6 +1,8 @@
 //! Target `evidence`: scans with any numbers into local mapping. Which cell a scan says what about must be
 //! the std version's in every cell; masses must stay masses, and near the std version's.
 
+use std::f32::consts::TAU;
+
 use arbitrary::Arbitrary;
 use horus_core::distance::{DistanceBuffers, EnvelopeVertex};
 use horus_core::evidence::{
@@ -29,6 +31,7 @@ struct Tick {
     robot: [Number; 3],
     first: Number,
     beams: Short<Beam, 63>,
+    is_full_turn: bool,
     thresholds: [Number; 2],
     has_visibilities: bool,
 }
@@ -134,12 +137,18 @@ pub fn run(case: &EvidenceCase) {
 
 fn beams(tick: &Tick) -> (Vec<f32>, Vec<f32>, Vec<f32>) {
     let mut angle = tick.first.of(0.1);
+    // A full turn has its beams almost evenly all around, from wherever it begins.
+    let (even, gap) = if tick.is_full_turn {
+        (TAU / tick.beams.0.len() as f32, 1e-4)
+    } else {
+        (0.0, 0.02)
+    };
     let mut beams = (Vec::new(), Vec::new(), Vec::new());
     for beam in &tick.beams.0 {
         beams.0.push(angle);
         beams.1.push(beam.range.of(0.1));
         beams.2.push(beam.visibility.of(0.1));
-        angle += beam.gap.of(0.02).abs();
+        angle += even + beam.gap.of(gap).abs();
     }
     beams
 }

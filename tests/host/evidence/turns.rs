@@ -10,9 +10,12 @@ const SIDE: u32 = 64;
 
 /// Beams from `first` on over `span` radians, all ranges 1.2 m.
 fn check(first: f32, span: f32, beams: usize) {
-    let angles: Vec<f32> = (0..beams)
-        .map(|i| first + span * (i as f32 / (beams - 1) as f32))
-        .collect();
+    check_widths(first, span, beams, None);
+}
+
+fn check_widths(first: f32, span: f32, beams: usize, beam_half_width: Option<f32>) {
+    let last = (beams - 1).max(1) as f32;
+    let angles: Vec<f32> = (0..beams).map(|i| first + span * (i as f32 / last)).collect();
     let ranges = vec![1.2; beams];
     let scan = Flatscan {
         angles: &angles,
@@ -27,16 +30,19 @@ fn check(first: f32, span: f32, beams: usize) {
     let lattice = Lattice::new(SIDE, SIDE, 0.05, [-0.5, -0.5], "robot").unwrap();
     let mut classes = vec![0; class_bytes(SIDE, SIDE)];
     let mut limits = vec![BeamLimits::EMPTY; beams];
-    let mut grid = SensorGrid::new_in(&mut classes, lattice, SensorModel::default()).unwrap();
+    let model = SensorModel {
+        beam_half_width,
+        ..SensorModel::default()
+    };
+    let mut grid = SensorGrid::new_in(&mut classes, lattice, model).unwrap();
     grid.project(&scan, Pose2D::default(), &mut limits).unwrap();
 
-    let model = SensorModel::default();
     let std_model = std_version::SensorModel {
         m_free: std_version::Masses::VACUOUS,
         m_occ: std_version::Masses::VACUOUS,
         wall_thickness: model.wall_thickness,
         max_free_range: None,
-        beam_half_width: None,
+        beam_half_width,
     };
     let std_lattice = std_version::Lattice {
         rows: SIDE,
@@ -63,7 +69,7 @@ fn check(first: f32, span: f32, beams: usize) {
         seen += u32::from(same != std_version::ScanClass::Vacuous);
         assert_eq!(
             same, expected,
-            "first {first}, span {span}, {beams} beams: ({row}, {col})"
+            "first {first}, span {span}, {beams} beams, {beam_half_width:?}: ({row}, {col})"
         );
     }
     assert!(seen > 0);
@@ -85,6 +91,21 @@ fn turns_that_overlap_or_stay_open() {
         for span in [TAU + 0.009, TAU + 2e-5, TAU - 1e-3, TAU - 0.02, TAU - 0.3, 5.0] {
             for first in [-TAU, -5.0, -PI, -3.0, -1.0, 0.0] {
                 check(first, span, beams);
+            }
+        }
+    }
+}
+
+/// Sonars: one cone, or a ring of few.
+#[test]
+fn few_wide_beams_may_point_anywhere() {
+    for beams in 1..=4 {
+        for half_width in [0.05, 0.3, 1.0, 2.0, PI] {
+            for step in -13..=13i8 {
+                let first = f32::from(step) * 0.48;
+                for span in [0.1, 1.5, TAU * 0.75] {
+                    check_widths(first, span, beams, Some(half_width));
+                }
             }
         }
     }

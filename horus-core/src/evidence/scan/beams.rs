@@ -165,7 +165,7 @@ impl<'a> Beams<'a> {
             if self.is_inner(*beam) && *beam != 1 && beam.wrapping_add(1) != last {
                 return best;
             }
-            let mut seam = [0, 1, last.saturating_sub(1), last].into_iter();
+            let mut seam = [0, last.min(1), last.saturating_sub(1), last].into_iter();
             if !seam.any(|candidate| self.improve(a, beam, &mut best, candidate)) {
                 return best;
             }
