@@ -400,6 +400,27 @@ typedef int32_t horus_inpaint_frame;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
+/// What a scan says about a cell.
+enum horus_scan_class
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+    /// Nothing: no beam covers it, or it lies behind the hit.
+    HORUS_SCAN_CLASS_VACUOUS = 0,
+    /// Before the hit.
+    HORUS_SCAN_CLASS_FREE = 1,
+    /// At the hit.
+    HORUS_SCAN_CLASS_OCCUPIED = 2,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum horus_scan_class horus_scan_class;
+#else
+typedef int32_t horus_scan_class;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
 /// An occupancy grid with inflated costs that follow its every change. Costs are bytes: 0 free ..
 /// lethal_cost, 255 unknown. It lies in memory of its user.
 typedef struct horus_cost_map horus_cost_map;
@@ -1443,6 +1464,15 @@ horus_status horus_local_mapping_distance(const horus_local_mapping *mapping,
                                           uint32_t gx,
                                           uint32_t gy,
                                           float *metres);
+
+/// What the scan that was fused last says about a cell of its sensor's lattice, a horus_scan_class:
+/// outside, and before the first scan, vacuous. `sensor`, which may be NULL, takes that sensor's index; -1:
+/// there was no scan.
+horus_status horus_local_mapping_scan_class(const horus_local_mapping *mapping,
+                                            uint32_t row,
+                                            uint32_t col,
+                                            int32_t *scan_class,
+                                            int32_t *sensor);
 
 /// Occupancy values of the fused map, before painting, row by row: the probability that a cell is
 /// occupied in percent, or -1 where more than `max_uncertain` is uncertain. What horus_cost_map_load

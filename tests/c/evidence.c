@@ -29,12 +29,16 @@ static void hash_maps(const horus_local_mapping *mapping, uint32_t *hash)
             horus_evidence_cell cell;
             bool occupied;
             float distance;
+            int32_t scan_class;
             TRY(horus_local_mapping_evidence(mapping, gx, gy, &cell));
             TRY(horus_local_mapping_is_occupied(mapping, gx, gy, &occupied));
             TRY(horus_local_mapping_distance(mapping, gx, gy, &distance));
             hash_word(hash, (uint32_t)cell.free << 16 | cell.occupied);
             hash_byte(hash, occupied);
             hash_float(hash, distance);
+            /* The lidar's lattice has as many rows and columns. */
+            TRY(horus_local_mapping_scan_class(mapping, gx, gy, &scan_class, NULL));
+            hash_byte(hash, (uint8_t)scan_class);
         }
 }
 

@@ -98,6 +98,8 @@ pub fn drive(
                 hash.word(steps(cell));
                 hash.byte(u8::from(mapping.binary().is_occupied(gx, gy) == Some(true)));
                 hash.word(mapping.distance().metres_at(gx, gy).unwrap_or(-1.0).to_bits());
+                // The lidar's lattice has as many rows and columns.
+                hash.byte(mapping.class_at(gx, gy) as u8);
             }
         }
     }

@@ -5,7 +5,7 @@ use super::mapping::{Mapping, horus_local_mapping};
 use crate::c_abi::call::{Call, Plain};
 use crate::c_abi::grid::horus_map_info;
 use crate::c_abi::status::{horus_status, inside};
-use crate::evidence::{EvidenceU16, FusionRule, Masses, evidence_to_occupancy, fuse};
+use crate::evidence::{EvidenceU16, FusionRule, Masses, ScanClass, evidence_to_occupancy, fuse};
 
 /// A mass cell: free and occupied in steps of 1 / 65535; what they leave of 65535 is uncertain.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,6 +42,18 @@ impl From<Masses> for horus_masses {
             occupied: masses.occupied(),
         }
     }
+}
+
+/// What a scan says about a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(i32)]
+pub enum horus_scan_class {
+    /// Nothing: no beam covers it, or it lies behind the hit.
+    Vacuous = 0,
+    /// Before the hit.
+    Free = 1,
+    /// At the hit.
+    Occupied = 2,
 }
 
 /// Size, resolution and place of the fused map.
@@ -145,6 +157,32 @@ pub unsafe extern "C" fn horus_local_mapping_distance(
         let mapping = claims.object::<Mapping>(mapping)?;
         let metres = claims.output(metres)?;
         metres.write(inside(mapping.distance().metres_at(gx, gy))?);
+        Ok(())
+    })
+}
+
+/// What the scan that was fused last says about a cell of its sensor's lattice, a horus_scan_class:
+/// outside, and before the first scan, vacuous. `sensor`, which may be NULL, takes that sensor's index; -1:
+/// there was no scan.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn horus_local_mapping_scan_class(
+    mapping: *const horus_local_mapping,
+    row: u32,
+    col: u32,
+    scan_class: *mut i32,
+    sensor: *mut i32,
+) -> horus_status {
+    // SAFETY: the pointers are the caller's.
+    unsafe { Call::from_c() }.run(|claims| {
+        let mapping = claims.object::<Mapping>(mapping)?;
+        let (scan_class, sensor) = (claims.output(scan_class)?, claims.output_or_null(sensor)?);
+        let says = match mapping.class_at(row, col) {
+            ScanClass::Vacuous => horus_scan_class::Vacuous,
+            ScanClass::Free => horus_scan_class::Free,
+            ScanClass::Occupied => horus_scan_class::Occupied,
+        };
+        scan_class.write(says as i32);
+        sensor.write(mapping.last_sensor().map_or(-1, |i| i as i32));
         Ok(())
     })
 }

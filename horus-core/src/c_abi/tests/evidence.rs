@@ -78,6 +78,9 @@ fn a_local_mapping_lives_in_the_callers_memory() {
         let mut report = horus_tick_report::default();
         // SAFETY: the handle is live, the pointers are good.
         unsafe {
+            let (mut says, mut sensor) = (9, 9);
+            let status = horus_local_mapping_scan_class(mapping, 15, 10, &mut says, &mut sensor);
+            assert_eq!((status, says, sensor), (Status::Ok, 0, -1), "no scan yet");
             for _ in 0..3 {
                 assert_eq!(
                     horus_local_mapping_tick(mapping, &scan, HOME, &mut report),
@@ -114,6 +117,18 @@ fn a_local_mapping_lives_in_the_callers_memory() {
                 Status::Ok
             );
             assert_eq!(masses.occupied, 1.0, "painted");
+            let (mut says, mut sensor) = (9, 9);
+            for (row, expected) in [
+                (0, horus_scan_class::Vacuous),
+                (15, horus_scan_class::Free),
+                (18, horus_scan_class::Occupied),
+                (99, horus_scan_class::Vacuous),
+            ] {
+                let status = horus_local_mapping_scan_class(mapping, row, 10, &mut says, &mut sensor);
+                assert_eq!((status, says, sensor), (Status::Ok, expected as i32, 0), "{row}");
+            }
+            let status = horus_local_mapping_scan_class(mapping, 0, 0, ptr::null_mut(), &mut sensor);
+            assert_eq!(status, Status::NullPointer);
             let mut values = [0i8; 24 * 20];
             let count = values.len();
             let pointer = values.as_mut_ptr();

@@ -98,6 +98,7 @@ pub fn call() {
         horus_local_mapping_is_occupied as *const (),
         horus_local_mapping_masses as *const (),
         horus_local_mapping_occupancy as *const (),
+        horus_local_mapping_scan_class as *const (),
         horus_local_mapping_tick as *const (),
         horus_local_mapping_tick_within as *const (),
         horus_scan_model_accumulate as *const (),
