@@ -27,6 +27,8 @@ pub struct DistanceCase {
 pub enum Query {
     /// Distances of the whole map and of a window.
     Distances {
+        /// Which type of cell.
+        cell: u8,
         /// The cap in squared cells.
         cap: Option<u32>,
         /// Unknown cells are obstacles.

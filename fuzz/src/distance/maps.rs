@@ -6,8 +6,15 @@ use horus_host::reference::{signed_squared_distances, squared_distances};
 
 use super::case::{Scene, window};
 
-/// Distances in every type.
-pub(super) fn check_all(scene: &Scene, cap: Option<u32>, unknown: bool, corners: [u16; 4], rows: u32) {
+/// Distances in one of the four types.
+pub(super) fn check_cell(
+    cell: u8,
+    scene: &Scene,
+    cap: Option<u32>,
+    unknown: bool,
+    corners: [u16; 4],
+    rows: u32,
+) {
     let (width, height) = (scene.core.width(), scene.core.height());
     let window = window(corners, width, height);
     let options = DistanceOptions {
@@ -24,10 +31,8 @@ pub(super) fn check_all(scene: &Scene, cap: Option<u32>, unknown: bool, corners:
         .iter()
         .map(|v| *v >= 50 || unknown && *v < 0)
         .collect();
-    check::<u16>(scene, &mask, window, options, rows);
-    check::<i16>(scene, &mask, window, options, rows);
-    check::<u32>(scene, &mask, window, options, rows);
-    check::<i32>(scene, &mask, window, options, rows);
+    let check = [check::<u16>, check::<i16>, check::<u32>, check::<i32>][usize::from(cell % 4)];
+    check(scene, &mask, window, options, rows);
 }
 
 fn signed<D: DistanceCell>(cell: D) -> i64 {

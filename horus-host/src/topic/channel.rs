@@ -163,7 +163,8 @@ impl<P: IceoryxSend + Debug + ?Sized + 'static, H: ZeroCopySend + Debug + 'stati
                 });
             }
             listener
-                .timed_wait(|_| told += 1, PAUSE)
+                // Those who told since the last look come as one event with a count.
+                .timed_wait(|event| told += event.count as usize, PAUSE)
                 .map_err(|error| self.error("wait for subscribers", error))?;
         }
     }

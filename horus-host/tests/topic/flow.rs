@@ -68,6 +68,23 @@ fn nothing_is_lost_on_a_reliable_topic() {
 }
 
 #[test]
+fn subscribers_that_come_at_once_are_all_counted() {
+    let domain = TestDomain::new("at_once");
+    let open = || -> Topic<Grid> { Topic::open(&domain.0, TOPIC, options(true)).unwrap() };
+    let topic = open();
+    let nobody = topic.wait_for_subscribers(1, std::time::Duration::from_millis(1));
+    assert!(nobody.is_err());
+    let subscribers = [open(), open(), open()];
+    for subscriber in &subscribers {
+        subscriber.recv().unwrap(); // connects
+    }
+    // All have told before the publisher looks.
+    topic
+        .wait_for_subscribers(3, std::time::Duration::from_millis(500))
+        .unwrap();
+}
+
+#[test]
 fn waiting_for_subscribers_ends() {
     let domain = TestDomain::new("nobody");
     let topic: Topic<Grid> = Topic::open(&domain.0, TOPIC, options(true)).unwrap();
