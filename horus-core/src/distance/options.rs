@@ -41,7 +41,8 @@ impl DistanceOptions {
     pub fn with_max_distance(self, max_distance: f32, resolution: f32) -> Self {
         let cells = max_distance / resolution;
         let whole = math::rint(cells);
-        let is_whole = (cells - whole).abs() <= 1.0 / 1024.0;
+        // 0 cells are what is asked for only where the maximum is 0.
+        let is_whole = whole != 0.0 && (cells - whole).abs() <= 1.0 / 1024.0;
         let cells = if is_whole { whole } else { cells };
         let cells = if cells < 0.0 { 0.0 } else { cells };
         let squared = math::ceil(cells * cells);
@@ -78,6 +79,8 @@ mod tests {
     fn other_maxima_are_rounded_up() {
         assert_eq!(cap(1.25, 0.5), Some(7));
         assert_eq!(cap(-1.0, 0.5), Some(0));
+        assert_eq!(cap(0.0, 0.5), Some(0));
+        assert_eq!(cap(4e-5, 0.05), Some(1));
         assert_eq!(cap(f32::INFINITY, 0.5), None);
         assert_eq!(cap(f32::NAN, 0.5), None);
         assert_eq!(cap(1.0, 0.0), None);

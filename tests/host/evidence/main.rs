@@ -3,6 +3,7 @@
 mod chain;
 mod drift;
 mod exact;
+mod paint;
 mod rules;
 mod scene;
 mod turns;

@@ -232,3 +232,44 @@ fn refused_fusions_change_nothing() {
         Err(Error::UnknownFusionOperator)
     );
 }
+
+/// Where f32 can no longer divide by Dempster's norm, and with inputs whose sum is a rounding above the whole.
+#[test]
+fn f32_masses_stay_masses_at_the_limits() {
+    let cell = |f, o| EvidenceF32::from_masses(Masses::known(f, o).unwrap());
+    let check = |state: EvidenceF32, conflict: f32| {
+        let masses = state.masses();
+        let (f, o) = (masses.free(), masses.occupied());
+        assert!((0.0..=1.0).contains(&f) && (0.0..=1.0).contains(&o), "{f} {o}");
+        assert!(f + o <= 1.0 + f32::EPSILON, "{f} {o}");
+        assert!((0.0..=1.0).contains(&conflict), "{conflict}");
+    };
+    for operator in FusionOperator::ALL {
+        let rule = FusionRule {
+            operator,
+            ignorance_floor: 0.0,
+        };
+        for against in [0.7, 0.999, 1.0] {
+            for fusions in 0..120 {
+                let mut state = [cell(0.5, 0.0)];
+                for _ in 0..fusions {
+                    fuse(rule, &mut state, &[cell(0.0, against)]).unwrap();
+                }
+                let report = fuse(rule, &mut state, &[cell(1.0, 0.0)]).unwrap();
+                check(state[0], report.conflict_mass);
+            }
+        }
+    }
+    // Masses that are accepted with a little too much in them.
+    let mut state = [cell(1e-5, 1.0)];
+    check(state[0], 0.0);
+    for _ in 0..3 {
+        let report = fuse(
+            FusionRule::new(FusionOperator::Pcr6),
+            &mut state,
+            &[cell(0.0, 0.7)],
+        )
+        .unwrap();
+        check(state[0], report.conflict_mass);
+    }
+}

@@ -111,7 +111,8 @@ impl Pair {
         let agreement = self.agreement();
         // The norm 1 - K as the sum of what remains: no cancellation near K = 1.
         let norm = (agreement[0] + agreement[1]) + agreement[2];
-        let is_total = norm <= 0.0;
+        // Below that nothing can be divided by it.
+        let is_total = norm < f32::MIN_POSITIVE;
         *undefined = u32::from(is_total);
         if is_total { [0.0, 0.0, 1.0] } else { agreement }
     }
@@ -169,9 +170,10 @@ fn part(p: f32, q: f32) -> f32 {
         }
 }
 
-/// Two masses; where rounding made them exceed the whole, free gives way.
+/// Two masses; where rounding made them exceed the whole, free gives way first.
 #[inline(always)]
 pub(crate) fn bounded(f: f32, o: f32) -> EvidenceF32 {
+    let o = if o < 1.0 { o } else { 1.0 };
     let most = 1.0 - o;
     EvidenceF32::of(if f < most { f } else { most }, o)
 }
@@ -209,12 +211,12 @@ pub(crate) fn interpolate(corners: [EvidenceF32; 4], weights: [u32; 4]) -> Evide
         f += cf * number(weight);
         o += co * number(weight);
     }
-    EvidenceF32::of(f, o)
+    bounded(f, o)
 }
 
 pub(crate) fn mix([free, occupied]: &[Masses; 2], weight_free: u32, weight_occupied: u32) -> EvidenceF32 {
     let (wf, wo) = (number(weight_free), number(weight_occupied));
-    EvidenceF32::of(
+    bounded(
         wf * free.free() + wo * occupied.free(),
         wf * free.occupied() + wo * occupied.occupied(),
     )

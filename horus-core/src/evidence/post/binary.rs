@@ -29,8 +29,11 @@ impl<'a> BinaryMap<'a> {
     /// A map of free cells over at least [`bitmap_words`] words.
     ///
     /// # Errors
-    /// [`Error::BufferTooSmall`].
+    /// [`Error::BufferTooSmall`]; [`Error::SizeOverflow`] if a `usize` does not hold the number of words.
     pub fn new_in(words: &'a mut [u32], width: u32, height: u32) -> Result<Self, Error> {
+        if words_per_row(width).checked_mul(height as usize).is_none() {
+            return Err(Error::SizeOverflow);
+        }
         let needed = bitmap_words(width, height);
         require(Buffer::Bits, needed, words.len())?;
         let words = words.get_mut(..needed).unwrap_or_default();
@@ -60,7 +63,12 @@ impl<'a> BinaryMap<'a> {
     /// Whether the cells of a row are occupied; none outside the map.
     pub fn row(&self, gy: u32) -> impl Iterator<Item = bool> + '_ {
         let per_row = words_per_row(self.width);
-        let start = gy as usize * per_row;
+        // A row outside would make the product wrap where sizes have 32 bits.
+        let start = if gy < self.height {
+            gy as usize * per_row
+        } else {
+            self.words.len()
+        };
         let words = self.words.get(start..start + per_row).unwrap_or_default();
         let (mut words, mut bits) = (words.iter(), 0);
         let columns = if words.len() > 0 { self.width } else { 0 };

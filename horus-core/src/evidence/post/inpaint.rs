@@ -86,14 +86,19 @@ impl PlacedInpaint<'_> {
     pub(crate) fn for_each(&self, mut show: impl FnMut(u32, u32)) {
         let Inpaint { x, y, .. } = self.rect;
         let (mut low, mut high) = ([f32::INFINITY; 2], [f32::NEG_INFINITY; 2]);
+        let mut far = 0.0f32;
         for corner in [(x[0], y[0]), (x[0], y[1]), (x[1], y[0]), (x[1], y[1])] {
             let (wx, wy) = self.viewpoint.map_or(corner, |viewpoint| viewpoint.point(corner));
+            far = far.max(wx.abs() + wy.abs());
             let (cx, cy) = self.info.world_to_continuous(wx, wy);
             low = [low[0].min(cx), low[1].min(cy)];
             high = [high[0].max(cx), high[1].max(cy)];
         }
-        // Two cells more for what rounding may hide; casts saturate.
-        let span = |low: f32, high: f32, size: u32| (low - 2.0) as u32..((high + 3.0) as u32).min(size);
+        // Two cells more for what rounding may hide near the origin, and some steps of f32 far from it,
+        // where they are longer than a cell; casts saturate.
+        let margin = 2.0 + 8.0 * f32::EPSILON * far / self.info.resolution();
+        let span =
+            |low: f32, high: f32, size: u32| (low - margin) as u32..((high + 1.0 + margin) as u32).min(size);
         let columns = span(low[0], high[0], self.info.width());
         for gy in span(low[1], high[1], self.info.height()) {
             for gx in columns.clone() {
