@@ -25,7 +25,7 @@ pub struct horus_local_mapping {
 pub(in super::super) type Mapping = LocalMapping<'static>;
 
 impl Object for Mapping {
-    const TAG: u32 = u32::from_le_bytes(*b"HLm1");
+    const TAG: u32 = u32::from_le_bytes(*b"HEm1");
     type Handle = horus_local_mapping;
 }
 

@@ -145,6 +145,8 @@ fn a_local_mapping_lives_in_the_callers_memory() {
 
             // Refusals.
             let robot = Pose2D::new(0.5, 0.0, 0.0);
+            let refused = horus_local_map_clear(mapping.cast());
+            assert_eq!(refused, Status::InvalidHandle, "a handle of another kind");
             let unknown = horus_flatscan { sensor: 1, ..scan };
             let refused = horus_local_mapping_tick(mapping, &unknown, robot, ptr::null_mut());
             assert_eq!(refused, Status::UnknownSensor);
